@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace stratareeb {
+
+// Each command file adds its subcommand to the program; its callback runs the command. A callback throws on failure;
+// main turns exceptions into exit codes (0 done, 1 failed, 2 wrong usage). Results go to stdout, messages to stderr.
+void add_build_command(CLI::App& program);
+void add_check_command(CLI::App& program);
+void add_convert_command(CLI::App& program);
+void add_info_command(CLI::App& program);
+void add_sample_command(CLI::App& program);
+
+//! Thrown by a command that did its work and found a failure to report by exit code 1, its text already printed.
+struct CommandFailed {};
+
+}  // namespace stratareeb

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# A room is a folder of sources at the top of the tree and one static library, stratareeb::<room>.
+
+add_library(stratareeb_options INTERFACE)
+target_compile_options(stratareeb_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor)
+if(STRATAREEB_SANITIZE)
+    add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=address,undefined)
+endif()
+
+function(stratareeb_room name)
+    file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${name}/*.cpp")
+    file(GLOB headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${name}/*.h")
+    add_library(stratareeb_${name} STATIC ${sources} ${headers})
+    add_library(stratareeb::${name} ALIAS stratareeb_${name})
+    set_target_properties(stratareeb_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+    target_compile_features(stratareeb_${name} PUBLIC cxx_std_20)
+    target_include_directories(stratareeb_${name} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>"
+                               "$<INSTALL_INTERFACE:include/stratareeb>")
+    target_link_libraries(stratareeb_${name} PRIVATE "$<BUILD_INTERFACE:stratareeb_options>")
+    cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
+    target_link_libraries(stratareeb_${name} PUBLIC ${ARG_PUBLIC})
+    foreach(library ${ARG_PRIVATE})
+        target_link_libraries(stratareeb_${name} PRIVATE $<BUILD_INTERFACE:${library}>)
+        set_property(TARGET stratareeb_${name} APPEND PROPERTY STRATAREEB_LINK ${library})
+    endforeach()
+endfunction()
+
+function(stratareeb_program)
+    file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/apps/*.cpp")
+    add_executable(stratareeb ${sources})
+    target_link_libraries(stratareeb PRIVATE stratareeb_io CLI11::CLI11 nlohmann_json::nlohmann_json fmt::fmt
+                          stratareeb_options)
+    target_compile_definitions(stratareeb PRIVATE STRATAREEB_VERSION="${PROJECT_VERSION}")
+    set_target_properties(stratareeb PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}")
+endfunction()
