@@ -2,7 +2,9 @@
 # A room is a folder of sources at the top of the tree and one static library, stratareeb::<room>.
 
 add_library(stratareeb_options INTERFACE)
-target_compile_options(stratareeb_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor)
+# Options are given as {.levels = 2}: what is left out has its default on purpose.
+target_compile_options(stratareeb_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+                       -Wno-missing-field-initializers)
 if(STRATAREEB_SANITIZE)
     add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
     add_link_options(-fsanitize=address,undefined)
