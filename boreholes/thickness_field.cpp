@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "boreholes/thickness_field.h"
+
+#include <algorithm>
+
+namespace stratareeb {
+
+ThicknessField::ThicknessField(std::shared_ptr<const HoleTriangulation> holes,
+                               std::vector<std::vector<double>> thickness, PinchOutRule rule,
+                               InterpolatorKind kind)
+    : holes_(std::move(holes)),
+      thickness_(std::move(thickness)),
+      rule_(rule),
+      interpolator_(make_interpolator(kind, holes_)) {
+    for (const auto& layer : thickness_) {
+        auto& present = present_.emplace_back(layer.size());
+        std::ranges::transform(layer, present.begin(), [](double t) { return static_cast<char>(t > 0); });
+    }
+}
+
+// All corners alike give exactly 0 or 1, so that amid equal holes no rounding draws a line.
+double ThicknessField::share(std::size_t layer, const PlanLocation& location) const {
+    double have = 0, lack = 0;
+    for (int k = 0; k < 3; ++k) (has(layer, location.site[k]) ? have : lack) += location.weight[k];
+    return lack == 0 ? 1.0 : have;
+}
+
+bool ThicknessField::is_present(std::size_t layer, const PlanLocation& location) const {
+    return share(layer, location) > rule_.fraction;
+}
+
+std::vector<std::vector<double>> ThicknessField::predict(std::span<const Point2> where) const {
+    std::vector<SiteField> fields;
+    for (std::size_t i = 0; i < layers(); ++i) fields.push_back({thickness_[i], present_[i]});
+    auto result = interpolator_->predict(where, fields);
+    const std::vector<PlanLocation> locations = holes_->locate(where);
+    for (std::size_t i = 0; i < layers(); ++i)
+        for (std::size_t p = 0; p < where.size(); ++p) {
+            const double inside = share(i, locations[p]);
+            if (inside == 1) continue;
+            result[i][p] *= std::max(0.0, (inside - rule_.fraction) / (1 - rule_.fraction));
+        }
+    return result;
+}
+
+}  // namespace stratareeb
