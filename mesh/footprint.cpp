@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/footprint.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/box_intersection_d.h>
+#include <CGAL/intersections.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "boreholes/errors.h"
+
+namespace stratareeb {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+double signed_area(const std::vector<Point2>& ring) {
+    double twice = 0;
+    const Point2 o = ring.front();
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+        twice += (a.x - o.x) * (b.y - o.y) - (b.x - o.x) * (a.y - o.y);
+    }
+    return twice / 2;
+}
+
+struct RingEdge {
+    Point2 a, b;
+    std::size_t ring, index, ring_size;
+    bool next_to(const RingEdge& other) const {
+        if (ring != other.ring) return false;
+        const std::size_t gap = index > other.index ? index - other.index : other.index - index;
+        return gap == 1 || gap == ring_size - 1;
+    }
+};
+
+std::vector<RingEdge> ring_edges(const Footprint& footprint) {
+    std::vector<RingEdge> edges;
+    for (std::size_t r = 0; r < footprint.size(); ++r)
+        for (std::size_t i = 0; i < footprint[r].size(); ++i)
+            edges.push_back(
+                {footprint[r][i], footprint[r][(i + 1) % footprint[r].size()], r, i, footprint[r].size()});
+    return edges;
+}
+
+using EdgeBox = CGAL::Box_intersection_d::Box_with_info_d<double, 2, std::size_t>;
+
+std::vector<EdgeBox> edge_boxes(const std::vector<RingEdge>& edges) {
+    std::vector<EdgeBox> boxes;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const auto& [a, b] = std::pair(edges[i].a, edges[i].b);
+        boxes.emplace_back(
+            CGAL::Bbox_2(std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)), i);
+    }
+    return boxes;
+}
+
+Kernel::Segment_2 segment(const RingEdge& e) {
+    return {{e.a.x, e.a.y}, {e.b.x, e.b.y}};
+}
+
+// Neighbouring edges share a corner: they are sound unless one folds back over the other.
+bool clash(const RingEdge& e, const RingEdge& f) {
+    if (!CGAL::do_intersect(segment(e), segment(f))) return false;
+    if (!e.next_to(f)) return true;
+    const bool e_first = e.b == f.a;
+    const Point2& corner = e_first ? e.b : e.a;
+    const Point2& before = e_first ? e.a : f.a;
+    const Point2& after = e_first ? f.b : e.b;
+    return CGAL::orientation(Kernel::Point_2(before.x, before.y), Kernel::Point_2(corner.x, corner.y),
+                             Kernel::Point_2(after.x, after.y)) == CGAL::COLLINEAR &&
+           (before.x - corner.x) * (after.x - corner.x) + (before.y - corner.y) * (after.y - corner.y) > 0;
+}
+
+void check_no_crossing(const Footprint& footprint) {
+    const auto edges = ring_edges(footprint);
+    auto boxes = edge_boxes(edges);
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const EdgeBox& u, const EdgeBox& v) {
+        const RingEdge &e = edges[u.info()], &f = edges[v.info()];
+        if (clash(e, f))
+            throw InvalidInput(fmt::format(
+                "the footprint's outline crosses or touches itself near x {:.10g}, y {:.10g}", f.a.x, f.a.y));
+    });
+}
+
+}  // namespace
+
+Footprint hull_footprint(const HoleTriangulation& holes) {
+    if (holes.is_flat())
+        throw InvalidInput(
+            "all holes stand in a line, so their hull has no area (give --footprint box, or a polygon file)");
+    Footprint footprint(1);
+    for (const auto& [from, to] : holes.hull_edges()) footprint[0].push_back(holes.sites()[from]);
+    return footprint;
+}
+
+Footprint box_footprint(const std::vector<Point2>& holes, double margin) {
+    const auto [x0, x1] = std::ranges::minmax(holes, {}, &Point2::x);
+    const auto [y0, y1] = std::ranges::minmax(holes, {}, &Point2::y);
+    const double left = x0.x - margin, right = x1.x + margin, low = y0.y - margin, high = y1.y + margin;
+    if (!(right > left && high > low))
+        throw InvalidInput("the box around the holes has no area (give a larger --margin)");
+    return {{{left, low}, {right, low}, {right, high}, {left, high}}};
+}
+
+double suitable_margin(const HoleTriangulation& holes) {
+    const auto& sites = holes.sites();
+    if (!holes.is_flat())
+        return std::sqrt(area(hull_footprint(holes)) / static_cast<double>(sites.size())) / 2;
+    double extent = 0;
+    for (const Point2& p : sites) extent = std::max(extent, std::hypot(p.x - sites[0].x, p.y - sites[0].y));
+    return extent / 10;
+}
+
+bool is_inside(const Footprint& footprint, const Point2& p) {
+    bool inside = false;
+    for (const auto& ring : footprint)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Point2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+            if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
+                inside = !inside;
+        }
+    return inside;
+}
+
+double area(const Footprint& footprint) {
+    return std::accumulate(footprint.begin(), footprint.end(), 0.0,
+                           [](double sum, const auto& ring) { return sum + signed_area(ring); });
+}
+
+Footprint checked_footprint(Footprint footprint) {
+    if (footprint.empty()) throw InvalidInput("the footprint has no outline");
+    for (auto& ring : footprint) {
+        ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+        while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+        if (ring.size() < 3) throw InvalidInput("a ring of the footprint has fewer than three corners");
+        for (const Point2& p : ring)
+            if (!std::isfinite(p.x) || !std::isfinite(p.y))
+                throw InvalidInput("the footprint has a corner that is not a number");
+    }
+    check_no_crossing(footprint);
+    for (std::size_t r = 0; r < footprint.size(); ++r) {
+        Footprint others = footprint;
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(r));
+        const bool is_hole = is_inside(others, footprint[r].front());
+        const double size = signed_area(footprint[r]);
+        if (size == 0) throw InvalidInput("a ring of the footprint has no area");
+        if ((size > 0) == is_hole) std::ranges::reverse(footprint[r]);
+    }
+    return footprint;
+}
+
+Footprint with_points_on_rings(Footprint footprint, const std::vector<Point2>& points, double tolerance) {
+    const auto edges = ring_edges(footprint);
+    auto boxes = edge_boxes(edges);
+    std::vector<EdgeBox> point_boxes;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        point_boxes.emplace_back(CGAL::Bbox_2(points[i].x - tolerance, points[i].y - tolerance,
+                                              points[i].x + tolerance, points[i].y + tolerance),
+                                 i);
+    std::vector<std::vector<std::pair<double, std::size_t>>> on_edge(
+        edges.size());  // place along the edge, point
+    CGAL::box_intersection_d(
+        boxes.begin(), boxes.end(), point_boxes.begin(), point_boxes.end(),
+        [&](const EdgeBox& u, const EdgeBox& v) {
+            const RingEdge& e = edges[u.info()];
+            const Point2& p = points[v.info()];
+            const double dx = e.b.x - e.a.x, dy = e.b.y - e.a.y, length = std::hypot(dx, dy);
+            const double along = ((p.x - e.a.x) * dx + (p.y - e.a.y) * dy) / length;
+            const double off = std::abs((p.x - e.a.x) * dy - (p.y - e.a.y) * dx) / length;
+            if (off <= tolerance && along > 0 && along < length && !(p == e.a) && !(p == e.b))
+                on_edge[u.info()].emplace_back(along, v.info());
+        });
+    Footprint result(footprint.size());
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        auto& ring = result[edges[i].ring];
+        ring.push_back(edges[i].a);
+        std::ranges::sort(on_edge[i]);
+        for (const auto& [along, point] : on_edge[i])
+            if (!(ring.back() == points[point])) ring.push_back(points[point]);
+    }
+    return result;
+}
+
+}  // namespace stratareeb

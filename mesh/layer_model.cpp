@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/layer_model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "boreholes/errors.h"
+#include "boreholes/thickness_field.h"
+#include "mesh/compensated_sum.h"
+
+namespace stratareeb {
+
+namespace {
+
+// The thinnest a layer may be where it is present at all, as a share of the model's size: thick enough to
+// survive the subtraction of elevations, thin enough to be nothing.
+constexpr double kThinnest = 1e-9;
+constexpr double kBareOpening = 0.02, kSpacedOpening = 0.25;
+
+using Progress = std::function<void(const char*, double)>;
+
+void report(const LayerModelOptions& options, const char* step, double share) {
+    if (options.progress) options.progress(step, share);
+}
+
+//! A round number below the low end of a range, or 0 where coordinates are small.
+double round_origin(double low, double high) {
+    if (std::max(std::abs(low), std::abs(high)) < kFarFromOrigin) return 0;
+    const double step = std::pow(10, std::floor(std::log10(std::max(high - low, 1.0))));
+    return std::floor(low / step) * step;
+}
+
+Point3 suitable_origin(const CompleteColumns& columns) {
+    const auto [x0, x1] = std::ranges::minmax(columns.sites, {}, &Point2::x);
+    const auto [y0, y1] = std::ranges::minmax(columns.sites, {}, &Point2::y);
+    const auto [z0, z1] = std::ranges::minmax(columns.ground);
+    return {round_origin(x0.x, x1.x), round_origin(y0.y, y1.y), round_origin(z0, z1)};
+}
+
+void shift(CompleteColumns& columns, const Point3& origin) {
+    for (Point2& p : columns.sites) p = {p.x - origin.x, p.y - origin.y};
+    for (double& z : columns.ground) z -= origin.z;
+}
+
+Footprint shifted(Footprint footprint, const Point3& origin) {
+    for (auto& ring : footprint)
+        for (Point2& p : ring) p = {p.x - origin.x, p.y - origin.y};
+    return footprint;
+}
+
+std::vector<Point2> plan_points(const TriMesh& mesh) {
+    std::vector<Point2> points;
+    points.reserve(mesh.n_vertices());
+    for (const auto v : mesh.vertices()) points.push_back({mesh.point(v)[0], mesh.point(v)[1]});
+    return points;
+}
+
+double size_of(const CompleteColumns& columns, const Footprint& footprint) {
+    double deepest = 0;
+    for (std::size_t h = 0; h < columns.sites.size(); ++h) {
+        double depth = 0;
+        for (const auto& layer : columns.thickness) depth += layer[h];
+        deepest = std::max(deepest, depth);
+    }
+    const auto [z0, z1] = std::ranges::minmax(columns.ground);
+    return std::max({deepest, z1 - z0, std::sqrt(area(footprint))});
+}
+
+//! Lines out of the hull reach across the footprint, wherever it lies.
+double reach_beyond_hull(const Footprint& footprint, const std::vector<Point2>& holes) {
+    double reach = 0;
+    for (const auto& ring : footprint)
+        for (const Point2& p : ring) reach = std::max(reach, std::hypot(p.x - holes[0].x, p.y - holes[0].y));
+    double extent = 0;
+    for (const Point2& p : holes) extent = std::max(extent, std::hypot(p.x - holes[0].x, p.y - holes[0].y));
+    return 2 * (reach + extent);
+}
+
+PlanLines merged(PlanLines a, const PlanLines& b) {
+    const auto first = static_cast<std::uint32_t>(a.points.size());
+    a.points.insert(a.points.end(), b.points.begin(), b.points.end());
+    for (const auto& [i, j] : b.segments) a.segments.push_back({i + first, j + first});
+    return a;
+}
+
+std::vector<double> ground_at(const std::vector<Point2>& where, const LayerModel& model,
+                              const std::shared_ptr<const HoleTriangulation>& holes,
+                              const LayerModelOptions& options) {
+    const auto interpolator = make_interpolator(options.interpolator, holes);
+    const auto terrain = [&](const Point2& p) -> std::optional<double> {
+        if (!options.terrain) return std::nullopt;
+        const auto z = options.terrain({p.x + model.origin.x, p.y + model.origin.y});
+        return z ? std::optional(*z - model.origin.z) : std::nullopt;
+    };
+    std::vector<double> misfit(model.columns.ground), bare(model.columns.ground);
+    std::vector<char> knows(misfit.size(), 0);
+    for (std::size_t h = 0; h < misfit.size(); ++h)
+        if (const auto z = terrain(model.columns.sites[h])) misfit[h] -= *z, knows[h] = 1;
+    const auto fields = interpolator->predict(where, std::vector<SiteField>{{bare, {}}, {misfit, knows}});
+    std::vector<double> ground = fields[0];
+    for (std::size_t v = 0; v < where.size(); ++v)
+        if (const auto z = terrain(where[v])) ground[v] = *z + fields[1][v];
+    return ground;
+}
+
+void set_horizons(LayerModel& model, std::vector<double> ground, std::vector<std::vector<double>> thickness,
+                  double thinnest) {
+    const std::size_t layers = thickness.size(), vertices = ground.size();
+    for (std::size_t i = 0; i < layers; ++i)
+        for (std::size_t v = 0; v < vertices; ++v)
+            thickness[i][v] = model.regions.zero_at[v][i] ? 0.0 : std::max(thickness[i][v], thinnest);
+    for (std::size_t h = 0; h < model.plan.hole_vertex.size(); ++h) {
+        const auto v = model.plan.hole_vertex[h];
+        if (v == PlanMesh::kNoVertex) continue;
+        ground[v] = model.columns.ground[h];
+        for (std::size_t i = 0; i < layers; ++i) {
+            const double measured = model.columns.thickness[i][h];
+            if ((measured > 0) == static_cast<bool>(model.regions.zero_at[v][i]))
+                throw GeometryError(fmt::format(
+                    "layer '{}' can't end between hole {} and its neighbours: they stand too close together",
+                    model.units[i].code, h + 1));
+            if (measured > 0) thickness[i][v] = std::max(measured, thinnest);
+        }
+    }
+    model.horizons.assign(layers + 1, std::move(ground));
+    for (std::size_t i = 0; i < layers; ++i)
+        for (std::size_t v = 0; v < vertices; ++v)
+            model.horizons[i + 1][v] = model.horizons[i][v] - thickness[i][v];
+}
+
+}  // namespace
+
+LayerModel build_layer_model(const Survey& survey, const LayerModelOptions& options) {
+    LayerModel model;
+    model.units = survey.units;
+    model.length_unit = survey.length_unit;
+    report(options, "completing the holes' columns", 0);
+    model.columns = complete_columns(survey, {options.interpolator, options.pinch_out, options.terrain});
+    model.notes = model.columns.notes;
+    model.origin = suitable_origin(model.columns);
+    shift(model.columns, model.origin);
+
+    const auto holes = std::make_shared<const HoleTriangulation>(model.columns.sites);
+    const Footprint footprint = checked_footprint(
+        options.footprint ? shifted(*options.footprint, model.origin) : hull_footprint(*holes));
+    const double thinnest = kThinnest * size_of(model.columns, footprint);
+    for (auto& layer : model.columns.thickness)
+        for (double& t : layer)
+            if (t < thinnest) t = 0;
+    const ThicknessField field(holes, model.columns.thickness, options.pinch_out, options.interpolator);
+
+    model.spacing = options.spacing.value_or(suitable_spacing(footprint, survey.holes.size()));
+    const bool beyond_hull = options.footprint.has_value();
+    PlanLines lines = pinch_lines(field, beyond_hull ? reach_beyond_hull(footprint, model.columns.sites) : 0);
+    if (model.spacing == 0) lines = merged(std::move(lines), cut_triangulation_edges(field));
+    const double expected =
+        std::max(1.0, model.spacing > 0 ? 1.4 * area(footprint) / (model.spacing * model.spacing) : 1.0);
+    PlanMeshOptions plan_options{.spacing = model.spacing};
+    plan_options.progress = [&](std::size_t vertices) {
+        report(options, "meshing the plan", std::min(0.99, static_cast<double>(vertices) / expected));
+    };
+    report(options, "meshing the plan", 0);
+    model.plan = build_plan_mesh(footprint, model.columns.sites, lines, plan_options);
+    report(options, "finding the layers' regions", 0);
+    model.regions = build_layer_regions(model.plan, field,
+                                        {.opening = model.spacing > 0 ? kSpacedOpening : kBareOpening});
+
+    report(options, "predicting horizons", 0);
+    const std::vector<Point2> where = plan_points(model.plan.surface);
+    std::vector<double> ground = ground_at(where, model, holes, options);
+    set_horizons(model, std::move(ground), field.predict(where), thinnest);
+    report(options, "predicting horizons", 1);
+    return model;
+}
+
+double envelope_volume(const LayerModel& model) {
+    CompensatedSum volume;
+    const auto& mesh = model.plan.surface;
+    for (const auto f : mesh.faces()) {
+        double depth = 0;
+        for (const auto v : mesh.fv_range(f)) {
+            const auto i = static_cast<std::size_t>(v.idx());
+            depth += model.horizons.front()[i] - model.horizons.back()[i];
+        }
+        volume.add(mesh.calc_face_area(f) * depth / 3);
+    }
+    return volume.value();
+}
+
+}  // namespace stratareeb
