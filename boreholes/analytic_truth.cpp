@@ -43,33 +43,33 @@ double AnalyticTruth::ground(Point2 at) const {
 }
 
 double AnalyticTruth::thickness(std::size_t layer, Point2 at) const {
-    const ThicknessField& field = layers.at(layer);
+    const TrueThickness& field = layers.at(layer);
     const double x = at.x - corner.x, y = at.y - corner.y;
     const double r = std::hypot(x - field.center.x, y - field.center.y);
     switch (field.shape) {
-        case ThicknessField::Shape::Even:
+        case TrueThickness::Shape::Even:
             return field.thickness * (1 + sum(field.waves, x, y));
-        case ThicknessField::Shape::Ramp:
+        case TrueThickness::Shape::Ramp:
             return field.thickness * rise(field.mirrored ? extent - x : x, field.inner, field.outer);
-        case ThicknessField::Shape::Cone:
+        case TrueThickness::Shape::Cone:
             return field.thickness * std::max(0.0, 1 - r / field.outer);
-        case ThicknessField::Shape::Window:
+        case TrueThickness::Shape::Window:
             return field.thickness * rise(r, field.inner, field.outer);
     }
     return 0;
 }
 
 double AnalyticTruth::volume(std::size_t layer) const {
-    const ThicknessField& field = layers.at(layer);
+    const TrueThickness& field = layers.at(layer);
     const double area = extent * extent, a = field.inner, b = field.outer;
     switch (field.shape) {
-        case ThicknessField::Shape::Even:
+        case TrueThickness::Shape::Even:
             return field.thickness * (area + integral(field.waves, extent));
-        case ThicknessField::Shape::Ramp:
+        case TrueThickness::Shape::Ramp:
             return field.thickness * extent * (extent - (a + b) / 2);
-        case ThicknessField::Shape::Cone:
+        case TrueThickness::Shape::Cone:
             return field.thickness * pi * b * b / 3;
-        case ThicknessField::Shape::Window:  // the opening is a frustum of a cone
+        case TrueThickness::Shape::Window:  // the opening is a frustum of a cone
             return field.thickness * (area - pi * (a * a + a * b + b * b) / 3);
     }
     return 0;

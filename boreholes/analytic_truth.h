@@ -16,7 +16,7 @@ struct Wave {
 };
 
 //! A thickness over the square whose integral is known in closed form. Coordinates are local: 0 … extent.
-struct ThicknessField {
+struct TrueThickness {
     enum class Shape {
         Even,    // thickness · (1 + waves), waves small enough to stay positive
         Ramp,    // 0 up to x = inner, then rising linearly to `thickness` at x = outer, even beyond
@@ -41,7 +41,7 @@ struct AnalyticTruth {
     double dome_height =
         0;  // ground rises by this at the middle, as a paraboloid that is 0 half an extent away
     std::vector<Wave> ground_waves;
-    std::vector<ThicknessField> layers;  // top first
+    std::vector<TrueThickness> layers;  // top first
 
     //! Elevation of the ground at a place in survey coordinates.
     double ground(Point2 at) const;

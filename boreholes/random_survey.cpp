@@ -65,11 +65,11 @@ std::vector<Wave> random_waves(Dice& dice, double extent, double height) {
 }
 
 //! A layer that ends inside the square: along a line, around a lens or around an opening.
-ThicknessField random_pinch_out(Dice& dice, double extent, double thickness) {
-    constexpr ThicknessField::Shape kShapes[] = {ThicknessField::Shape::Ramp, ThicknessField::Shape::Cone,
-                                                 ThicknessField::Shape::Window};
-    ThicknessField field{.shape = kShapes[dice.below(3)], .thickness = thickness};
-    if (field.shape == ThicknessField::Shape::Ramp) {
+TrueThickness random_pinch_out(Dice& dice, double extent, double thickness) {
+    constexpr TrueThickness::Shape kShapes[] = {TrueThickness::Shape::Ramp, TrueThickness::Shape::Cone,
+                                                 TrueThickness::Shape::Window};
+    TrueThickness field{.shape = kShapes[dice.below(3)], .thickness = thickness};
+    if (field.shape == TrueThickness::Shape::Ramp) {
         field.inner = extent * dice.between(0.2, 0.5);
         field.outer = extent * dice.between(0.6, 0.9);
         field.mirrored = dice.chance(0.5);
@@ -82,16 +82,16 @@ ThicknessField random_pinch_out(Dice& dice, double extent, double thickness) {
     return field;
 }
 
-ThicknessField layer_field(const RandomSurveyOptions& options, std::size_t layer, Dice& dice) {
+TrueThickness layer_field(const RandomSurveyOptions& options, std::size_t layer, Dice& dice) {
     const double extent = options.extent;
-    ThicknessField field{.thickness = options.thickness};
+    TrueThickness field{.thickness = options.thickness};
     if (options.truth == TruthKind::Wedge)
-        field = {.shape = ThicknessField::Shape::Ramp,
+        field = {.shape = TrueThickness::Shape::Ramp,
                  .thickness = 2 * options.thickness,
                  .outer = extent,
                  .mirrored = layer % 2 == 1};
     if (options.truth == TruthKind::Lens && layer % 2 == 1)
-        field = {.shape = ThicknessField::Shape::Cone,
+        field = {.shape = TrueThickness::Shape::Cone,
                  .thickness = options.thickness,
                  .outer = 0.4 * extent,
                  .center = {extent / 2, extent / 2}};
@@ -122,7 +122,8 @@ class HolePlaces {
                 return near(centers_[dice_.below(centers_.size())]);
             case HolePlan::Grid: {
                 const double step = extent / static_cast<double>(side_ - 1);
-                return {static_cast<double>(hole % side_) * step, static_cast<double>(hole / side_) * step};
+                const std::size_t column = hole % side_, row = hole / side_;
+                return {static_cast<double>(column) * step, static_cast<double>(row) * step};
             }
             case HolePlan::Line: {
                 const double along = dice_.between(0, extent);

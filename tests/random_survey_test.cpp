@@ -48,7 +48,7 @@ TEST(AnalyticTruth, simple_shapes_have_the_volumes_of_the_school_book) {
     options.truth = TruthKind::Slab;
     EXPECT_DOUBLE_EQ(random_truth(options).volume(0), 100 * 100 * 6);
     options.truth = TruthKind::Wedge;
-    EXPECT_DOUBLE_EQ(random_truth(options).volume(0), 100 * 100 * 12 / 2);
+    EXPECT_DOUBLE_EQ(random_truth(options).volume(0), 100 * 100 * 12 / 2.0);
     EXPECT_DOUBLE_EQ(random_truth(options).thickness(0, {25, 50}), 3);
     EXPECT_DOUBLE_EQ(random_truth(options).thickness(1, {25, 50}), 9);
     options.truth = TruthKind::Lens;
