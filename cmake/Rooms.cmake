@@ -19,17 +19,15 @@ function(stratareeb_room name)
     target_compile_features(stratareeb_${name} PUBLIC cxx_std_20)
     target_include_directories(stratareeb_${name} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>"
                                "$<INSTALL_INTERFACE:include/stratareeb>")
-    target_link_libraries(stratareeb_${name} PRIVATE "$<BUILD_INTERFACE:stratareeb_options>")
     cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
-    target_link_libraries(stratareeb_${name} PUBLIC ${ARG_PUBLIC})
-    foreach(library ${ARG_PRIVATE})
-        target_link_libraries(stratareeb_${name} PRIVATE $<BUILD_INTERFACE:${library}>)
-        set_property(TARGET stratareeb_${name} APPEND PROPERTY STRATAREEB_LINK ${library})
-    endforeach()
+    target_link_libraries(stratareeb_${name} PUBLIC ${ARG_PUBLIC}
+                          PRIVATE ${ARG_PRIVATE} "$<BUILD_INTERFACE:stratareeb_options>")
+    set_property(GLOBAL APPEND PROPERTY STRATAREEB_ROOMS ${name})
 endfunction()
 
 function(stratareeb_program)
     file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/apps/*.cpp")
+    find_package(CLI11 REQUIRED)
     add_executable(stratareeb ${sources})
     target_link_libraries(stratareeb PRIVATE stratareeb_io CLI11::CLI11 nlohmann_json::nlohmann_json fmt::fmt
                           stratareeb_options)
