@@ -268,6 +268,11 @@ StepReport write(const std::filesystem::path& path, std::span<const LayerSolid> 
     if (report.solids == 0) throw InvalidInput("no layer has a body; a STEP file needs at least one");
 
     STEPCAFControl_Writer writer;
+    writer.SetLayerMode(false);
+    writer.SetPropsMode(false);
+    writer.SetSHUOMode(false);
+    writer.SetDimTolMode(false);
+    writer.SetMaterialMode(false);
     if (!writer.Transfer(document, STEPControl_AsIs))
         throw GeometryError(fmt::format("{}: OpenCASCADE can't turn the solids into STEP", path.string()));
     finish_model(writer.ChangeWriter().Model(), options);
