@@ -11,7 +11,7 @@ foreach(header ${headers})
     list(APPEND header_sources "${source}")
 endforeach()
 add_library(stratareeb_headers OBJECT ${header_sources})
-target_link_libraries(stratareeb_headers PRIVATE stratareeb_io CLI11::CLI11 stratareeb_options)
+target_link_libraries(stratareeb_headers PRIVATE stratareeb_apps stratareeb_options)
 
 find_package(Python3 COMPONENTS Interpreter REQUIRED)
 foreach(lint includes text format tidy)

@@ -25,12 +25,16 @@ function(stratareeb_room name)
     set_property(GLOBAL APPEND PROPERTY STRATAREEB_ROOMS ${name})
 endfunction()
 
+# The program is main.cpp and a library of its commands, so that tests can call them too.
 function(stratareeb_program)
-    file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/apps/*.cpp")
     find_package(CLI11 REQUIRED)
-    add_executable(stratareeb ${sources})
-    target_link_libraries(stratareeb PRIVATE stratareeb_io CLI11::CLI11 nlohmann_json::nlohmann_json fmt::fmt
-                          stratareeb_options)
+    file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/apps/*.cpp")
+    list(REMOVE_ITEM sources "${PROJECT_SOURCE_DIR}/apps/main.cpp")
+    add_library(stratareeb_apps STATIC ${sources})
+    target_link_libraries(stratareeb_apps PUBLIC stratareeb_io CLI11::CLI11 nlohmann_json::nlohmann_json fmt::fmt
+                          PRIVATE stratareeb_options)
+    add_executable(stratareeb "${PROJECT_SOURCE_DIR}/apps/main.cpp")
+    target_link_libraries(stratareeb PRIVATE stratareeb_apps stratareeb_options)
     target_compile_definitions(stratareeb PRIVATE STRATAREEB_VERSION="${PROJECT_VERSION}")
     set_target_properties(stratareeb PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}")
 endfunction()

@@ -24,7 +24,8 @@ UNBOUND = {"tests", "bench"}  # may include any room
 
 # What a header of a room may name besides our own and the standard library (which has no dot in its names).
 PUBLIC_LIBRARIES = re.compile(r"OpenMesh/")
-EXTRA_LIBRARIES = {"apps": re.compile(r"CLI/|fmt/"), "tests": re.compile(""), "bench": re.compile("")}
+EXTRA_LIBRARIES = {"io": re.compile(r"fmt/"), "apps": re.compile(r"CLI/|fmt/|nlohmann/"),
+                   "tests": re.compile(""), "bench": re.compile("")}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
