@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "io/mesh_part.h"
+
+namespace stratareeb {
+
+//! Read an OBJ file: one part for each object or group that has faces, with the vertices it uses; relative
+//! indices, texture and normal indices, polygons as fans. Part colours come from the diffuse colours of the
+//! MTL file. \throw IoError, InvalidInput as read_mesh does
+std::vector<PartData> read_obj(const std::filesystem::path& file);
+
+}  // namespace stratareeb

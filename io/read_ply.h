@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include "io/mesh_part.h"
+
+namespace stratareeb {
+
+//! Read a PLY file: ASCII or binary of either byte order; properties in any order and of any type, unknown
+//! ones skipped; polygons as fans. A colour that all vertices share becomes the colour of the part. \throw
+//! IoError, InvalidInput as read_mesh does
+PartData read_ply(const std::filesystem::path& file);
+
+}  // namespace stratareeb
