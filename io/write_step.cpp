@@ -29,13 +29,14 @@
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <XSControl_WorkSession.hxx>
-#include <charconv>
 #include <mutex>
 #include <unordered_map>
 
 #include <fmt/format.h>
 
 #include "boreholes/errors.h"
+#include "io/mesh_part.h"
+#include "io/write_aside.h"
 #include "mesh/planar_bodies.h"
 
 namespace stratareeb {
@@ -44,35 +45,21 @@ namespace {
 constexpr double kTolerance = 1e-7;  // OpenCASCADE's notion of "the same point"
 constexpr double kUsSurveyFoot_mm = 1200.0 / 3937.0 * 1000.0;
 
-// Turns one body into OpenCASCADE's boundary representation. Every mesh vertex and every side of a polygon is
-// one shared object, so the shells are closed by construction and nothing needs sewing.
-class SolidBuilder {
+// Turns one shell into OpenCASCADE's boundary representation. Every mesh vertex and every side of a polygon
+// is one shared object, so the shell is closed by construction and nothing needs sewing.
+class ShellBuilder {
  public:
-    SolidBuilder(const TriMesh& mesh, std::string layer) : mesh_(mesh), layer_(std::move(layer)) {}
+    explicit ShellBuilder(const PlanarShell& shell) : mesh_(shell.mesh), faces_(shell.faces) {}
 
-    TopoDS_Solid solid(const PlanarBody& body) {
-        TopoDS_Solid result;
-        builder_.MakeSolid(result);
-        builder_.Add(result, shell(body.outer));
-        for (const auto& cavity : body.cavities) builder_.Add(result, shell(cavity));
-        require_paired_edges();
-        return result;
-    }
-
- private:
-    struct SharedEdge {
-        TopoDS_Edge edge;
-        int uses = 0;  // +1 along, -1 against
-    };
-
-    TopoDS_Shell shell(const PlanarShell& faces) {
+    TopoDS_Shell build() {
         TopoDS_Shell result;
         builder_.MakeShell(result);
-        for (const auto& region : faces) builder_.Add(result, face(region));
+        for (const auto& region : faces_) builder_.Add(result, face(region));
         result.Closed(true);
         return result;
     }
 
+ private:
     TopoDS_Face face(const PlanarRegion& region) {
         const gp_Pnt at(region.point.x, region.point.y, region.point.z);
         const gp_Dir normal(region.normal.x, region.normal.y, region.normal.z);
@@ -95,9 +82,8 @@ class SolidBuilder {
     TopoDS_Edge edge(std::uint32_t from, std::uint32_t to) {
         const auto [low, high] = std::minmax(from, to);
         auto& shared = edges_[(std::uint64_t{low} << 32) | high];
-        if (shared.edge.IsNull()) shared.edge = new_edge(low, high);
-        shared.uses += from == low ? 1 : -1;
-        return TopoDS::Edge(shared.edge.Oriented(from == low ? TopAbs_FORWARD : TopAbs_REVERSED));
+        if (shared.IsNull()) shared = new_edge(low, high);
+        return TopoDS::Edge(shared.Oriented(from == low ? TopAbs_FORWARD : TopAbs_REVERSED));
     }
 
     TopoDS_Edge new_edge(std::uint32_t from, std::uint32_t to) {
@@ -121,21 +107,21 @@ class SolidBuilder {
         return {p[0], p[1], p[2]};
     }
 
-    void require_paired_edges() const {
-        for (const auto& [key, shared] : edges_) {
-            if (shared.uses == 0) continue;
-            const gp_Pnt p = point(static_cast<std::uint32_t>(key >> 32));
-            throw GeometryError(fmt::format("layer '{}': the faces at ({:.3f}, {:.3f}, {:.3f}) don't close",
-                                            layer_, p.X(), p.Y(), p.Z()));
-        }
-    }
-
     const TriMesh& mesh_;
-    std::string layer_;
+    const std::vector<PlanarRegion>& faces_;
     BRep_Builder builder_;
     std::unordered_map<std::uint32_t, TopoDS_Vertex> vertices_;
-    std::unordered_map<std::uint64_t, SharedEdge> edges_;
+    std::unordered_map<std::uint64_t, TopoDS_Edge> edges_;  // by their two vertices, the lower first
 };
+
+TopoDS_Solid solid(const PlanarBody& body) {
+    BRep_Builder builder;
+    TopoDS_Solid result;
+    builder.MakeSolid(result);
+    builder.Add(result, ShellBuilder(body.outer).build());
+    for (const auto& cavity : body.cavities) builder.Add(result, ShellBuilder(cavity).build());
+    return result;
+}
 
 // OpenCASCADE's settings and messages belong to the process: one writer at a time, and all is put back
 // afterwards.
@@ -168,10 +154,9 @@ class QuietSession {
     std::vector<std::pair<std::string, std::string>> saved_;
 };
 
-Quantity_Color color_from_hex(const std::string& hex) {
-    unsigned rgb = 0xb0b0b0;
-    if (hex.size() == 7 && hex[0] == '#') std::from_chars(hex.data() + 1, hex.data() + 7, rgb, 16);
-    return {((rgb >> 16) & 255) / 255.0, ((rgb >> 8) & 255) / 255.0, (rgb & 255) / 255.0, Quantity_TOC_sRGB};
+Quantity_Color color_of(const Unit& unit) {
+    const Rgb rgb = rgb_from_text(unit.color);
+    return {rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0, Quantity_TOC_sRGB};
 }
 
 std::string body_name(const Unit& unit, std::size_t body) {
@@ -180,23 +165,20 @@ std::string body_name(const Unit& unit, std::size_t body) {
 }
 
 void add_solid(const Handle(TDocStd_Document) & document, const TopoDS_Solid& solid, const std::string& name,
-               const std::string& color) {
+               const Quantity_Color& color) {
     const TDF_Label label = XCAFDoc_DocumentTool::ShapeTool(document->Main())->AddShape(solid, false);
     TDataStd_Name::Set(label, TCollection_ExtendedString(name.c_str(), true));
-    XCAFDoc_DocumentTool::ColorTool(document->Main())
-        ->SetColor(label, color_from_hex(color), XCAFDoc_ColorGen);
+    XCAFDoc_DocumentTool::ColorTool(document->Main())->SetColor(label, color, XCAFDoc_ColorGen);
 }
 
 StepReport add_layer(const Handle(TDocStd_Document) & document, const LayerSolid& layer) {
     StepReport report;
     try {
-        const auto bodies = planar_bodies(layer.surface);
-        for (const auto& body : bodies) {
-            SolidBuilder builder(layer.surface, body_name(layer.unit, 0));
-            add_solid(document, builder.solid(body), body_name(layer.unit, report.solids), layer.unit.color);
+        for (const auto& body : planar_bodies(layer.surface)) {
+            add_solid(document, solid(body), body_name(layer.unit, report.solids), color_of(layer.unit));
             ++report.solids;
-            report.faces += body.outer.size();
-            for (const auto& cavity : body.cavities) report.faces += cavity.size();
+            report.faces += body.outer.faces.size();
+            for (const auto& cavity : body.cavities) report.faces += cavity.faces.size();
         }
     } catch (const InvalidInput& e) {
         throw InvalidInput(fmt::format("layer '{}': {}", body_name(layer.unit, 0), e.what()));
@@ -233,21 +215,6 @@ const char* occt_unit(const std::string& length_unit) {
     throw InvalidInput(fmt::format("length unit '{}' (expected m, ft or us-ft)", length_unit));
 }
 
-void write_aside(STEPCAFControl_Writer& writer, const std::filesystem::path& path) {
-    auto aside = path;
-    aside += ".part";
-    std::error_code ignored, failed;
-    if (writer.Write(aside.string().c_str()) != IFSelect_RetDone) {
-        std::filesystem::remove(aside, ignored);
-        throw IoError(
-            fmt::format("{}: can't write; is the folder there, writable and not full?", path.string()));
-    }
-    std::filesystem::rename(aside, path, failed);
-    if (!failed) return;
-    std::filesystem::remove(aside, ignored);
-    throw IoError(fmt::format("{}: {}", path.string(), failed.message()));
-}
-
 StepReport write(const std::filesystem::path& path, std::span<const LayerSolid> solids,
                  const StepOptions& options) {
     const char* unit = occt_unit(options.length_unit);
@@ -276,7 +243,10 @@ StepReport write(const std::filesystem::path& path, std::span<const LayerSolid> 
     if (!writer.Transfer(document, STEPControl_AsIs))
         throw GeometryError(fmt::format("{}: OpenCASCADE can't turn the solids into STEP", path.string()));
     finish_model(writer.ChangeWriter().Model(), options);
-    write_aside(writer, path);
+    replace_aside(path, [&](const std::filesystem::path& temporary) {
+        if (writer.Write(temporary.string().c_str()) != IFSelect_RetDone)
+            throw IoError(fmt::format("{}: can't be written in full; is the disk full?", path.string()));
+    });
     return report;
 }
 

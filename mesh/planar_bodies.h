@@ -7,8 +7,11 @@
 
 namespace stratareeb {
 
-//! A connected closed shell made of planar polygons.
-using PlanarShell = std::vector<PlanarRegion>;
+//! A connected closed surface made of planar polygons.
+struct PlanarShell {
+    TriMesh mesh;
+    std::vector<PlanarRegion> faces;  // of `mesh`
+};
 
 //! One solid: what it fills and what is cut out of it.
 struct PlanarBody {
@@ -16,7 +19,7 @@ struct PlanarBody {
     std::vector<PlanarShell> cavities;
 };
 
-//! The bodies of a closed surface, in the order of their first vertex: connected shells that face outwards,
+//! The bodies of a closed surface, in the order of their first triangle: connected shells that face outwards,
 //! each with the inward-facing shells that lie in it (in the smallest body that holds them, where several
 //! do). \throw as planar_regions; GeometryError if an inward-facing shell lies in no body.
 std::vector<PlanarBody> planar_bodies(const TriMesh& mesh, const PlanarRegionOptions& options = {});

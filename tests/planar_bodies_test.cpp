@@ -20,7 +20,7 @@ TEST(PlanarBodies, each_connected_body_is_one) {
     const auto bodies = planar_bodies(mesh);
     ASSERT_EQ(bodies.size(), 2u);
     for (const auto& body : bodies) {
-        EXPECT_EQ(body.outer.size(), 6u);
+        EXPECT_EQ(body.outer.faces.size(), 6u);
         EXPECT_TRUE(body.cavities.empty());
     }
 }
@@ -41,7 +41,7 @@ TEST(PlanarBodies, an_inward_shell_is_a_cavity_of_the_smallest_body_around_it) {
     ASSERT_EQ(bodies.size(), 2u);
     EXPECT_TRUE(bodies[0].cavities.empty());
     ASSERT_EQ(bodies[1].cavities.size(), 1u);
-    EXPECT_EQ(bodies[1].cavities[0].size(), 6u);
+    EXPECT_EQ(bodies[1].cavities[0].faces.size(), 6u);
 }
 
 TEST(PlanarBodies, an_inward_shell_without_a_body_around_it_is_refused) {
