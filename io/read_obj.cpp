@@ -16,7 +16,7 @@ namespace {
 
 using Colors = std::map<std::string, Rgb, std::less<>>;
 
-// Faces under one object or group name, with vertex numbers of the whole file.
+// Faces under one object name, with vertex numbers of the whole file.
 struct Group {
     std::string name, material;
     std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -76,7 +76,7 @@ Content read_content(TextScanner& scan) {
             content.points.push_back(p);
         } else if (word == "f") {
             read_face(scan, content);
-        } else if (word == "o" || word == "g") {
+        } else if (word == "o") {
             open_group(content, std::string(scan.rest_of_line()));
             continue;
         } else if (word == "usemtl") {

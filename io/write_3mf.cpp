@@ -1,97 +1,120 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/write_3mf.h"
 
-#include <Model/COM/NMR_DLLInterfaces.h>
 #include <fmt/format.h>
 
 #include <cmath>
+#include <iterator>
 
-#include "boreholes/errors.h"
-#include "io/three_mf.h"
 #include "io/write_aside.h"
+#include "io/xml_text.h"
+#include "io/zip_writer.h"
 #include "mesh/measures.h"
 
+// A 3MF file is a ZIP archive with an XML model in it. It is written here and not by lib3mf, whose
+// version 1.8 rounds transformations to six digits and stamps random identifiers into the file.
 namespace stratareeb {
 namespace {
 
-using namespace NMR;
+constexpr const char* kContentTypes =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+    "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">"
+    "<Default Extension=\"rels\" ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>"
+    "<Default Extension=\"model\" "
+    "ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/></Types>\n";
 
-class ThreeMfWriter {
+constexpr const char* kRelations =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+    "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">"
+    "<Relationship Id=\"model\" Target=\"/3D/3dmodel.model\" "
+    "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>\n";
+
+// Formatted text into the open entry of an archive.
+class EntryText {
  public:
-    explicit ThreeMfWriter(std::string file) : file_(std::move(file)) {
-        if (lib3mf_createmodel(model_.out()) != 0) throw IoError(file_ + ": lib3mf can't make a model");
-        check(lib3mf_model_setunit(model_.get(), MODELUNIT_METER), model_);
-        check(lib3mf_model_addbasematerialgroup(model_.get(), materials_.out()), model_);
-    }
+    explicit EntryText(ZipWriter& zip) : zip_(zip) {}
 
-    void add(const PartData& part, const Point3& origin) {
-        ThreeMfObject mesh;
-        check(lib3mf_model_addmeshobject(model_.get(), mesh.out()), model_);
-        check(lib3mf_object_setnameutf8(mesh.get(), part.name.c_str()), mesh);
-        set_geometry(mesh, part.soup, origin);
-        set_material(mesh, part);
-        MODELTRANSFORM place{};
-        for (int k = 0; k < 3; ++k) place.m_fFields[k][k] = 1;
-        place.m_fFields[0][3] = static_cast<float>(origin.x);
-        place.m_fFields[1][3] = static_cast<float>(origin.y);
-        place.m_fFields[2][3] = static_cast<float>(origin.z);
-        ThreeMfObject item;
-        check(lib3mf_model_addbuilditem(model_.get(), mesh.get(), &place, item.out()), model_);
+    template <class... Arguments>
+    void print(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+        fmt::format_to(std::back_inserter(buffer_), format, std::forward<Arguments>(arguments)...);
+        if (buffer_.size() > (1 << 18)) flush();
     }
-
-    void write(const std::filesystem::path& to) {
-        ThreeMfObject writer;
-        check(lib3mf_model_querywriter(model_.get(), "3mf", writer.out()), model_);
-        check(lib3mf_writer_writetofileutf8(writer.get(), to.string().c_str()), writer);
+    void flush() {
+        zip_.append({buffer_.data(), buffer_.size()});
+        buffer_.clear();
     }
 
  private:
-    void set_geometry(const ThreeMfObject& mesh, const TriangleSoup& soup, const Point3& origin) {
-        std::vector<MODELMESHVERTEX> vertices;
-        for (const auto& p : soup.points)
-            vertices.push_back({{static_cast<float>(p.x - origin.x), static_cast<float>(p.y - origin.y),
-                                 static_cast<float>(p.z - origin.z)}});
-        std::vector<MODELMESHTRIANGLE> triangles;
-        for (const auto& t : soup.triangles) triangles.push_back({{t[0], t[1], t[2]}});
-        check(lib3mf_meshobject_setgeometry(mesh.get(), vertices.data(), static_cast<DWORD>(vertices.size()),
-                                            triangles.data(), static_cast<DWORD>(triangles.size())),
-              mesh);
-    }
-
-    void set_material(const ThreeMfObject& mesh, const PartData& part) {
-        DWORD index = 0, group = 0;
-        check(lib3mf_basematerial_addmaterialutf8(materials_.get(), part.name.c_str(), part.color[0],
-                                                  part.color[1], part.color[2], &index),
-              materials_);
-        check(lib3mf_basematerial_getresourceid(materials_.get(), &group), materials_);
-        ThreeMfObject property;
-        check(lib3mf_object_createdefaultpropertyhandler(mesh.get(), property.out()), mesh);
-        check(lib3mf_defaultpropertyhandler_setbasematerial(property.get(), group, index), property);
-    }
-
-    void check(LIB3MFRESULT result, const ThreeMfObject& object) const {
-        if (result != 0) throw IoError(fmt::format("{}: can't be written: {}", file_, object.error()));
-    }
-
-    std::string file_;
-    ThreeMfObject model_, materials_;
+    ZipWriter& zip_;
+    fmt::memory_buffer buffer_;
 };
 
-}  // namespace
-
-void write_3mf(const std::filesystem::path& file, std::span<const PartData> parts) {
+// Middle of all parts, in whole numbers: floats hold those exactly up to 16 million.
+Point3 local_origin(std::span<const PartData> parts) {
     std::vector<Point3> corners;
     for (const auto& part : parts) {
         const auto box = bounding_box(part.soup.points);
         if (!part.soup.points.empty()) corners.insert(corners.end(), {box.min, box.max});
     }
     const auto middle = bounding_box(corners).centre();
-    // Rounded to whole numbers, which the float transformation of a build item can hold up to 16 million.
-    const Point3 origin{std::round(middle.x), std::round(middle.y), std::round(middle.z)};
-    ThreeMfWriter writer(file.string());
+    return {std::round(middle.x), std::round(middle.y), std::round(middle.z)};
+}
+
+void print_object(EntryText& out, const PartData& part, std::size_t number, const Point3& origin) {
+    out.print(
+        "  <object id=\"{}\" name=\"{}\" type=\"model\" pid=\"1\" pindex=\"{}\">\n   <mesh>\n    "
+        "<vertices>\n",
+        number + 2, xml_attribute(part.name), number);
+    for (const auto& p : part.soup.points)
+        out.print("     <vertex x=\"{}\" y=\"{}\" z=\"{}\"/>\n", static_cast<float>(p.x - origin.x),
+                  static_cast<float>(p.y - origin.y), static_cast<float>(p.z - origin.z));
+    out.print("    </vertices>\n    <triangles>\n");
+    for (const auto& t : part.soup.triangles)
+        out.print("     <triangle v1=\"{}\" v2=\"{}\" v3=\"{}\"/>\n", t[0], t[1], t[2]);
+    out.print("    </triangles>\n   </mesh>\n  </object>\n");
+}
+
+void print_model(EntryText& out, std::span<const PartData> parts) {
+    const auto origin = local_origin(parts);
+    out.print(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"meter\" xml:lang=\"en-US\" "
+        "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
+        " <metadata name=\"Application\">Stratareeb</metadata>\n <resources>\n  <basematerials id=\"1\">\n");
     for (const auto& part : parts)
-        if (!part.soup.triangles.empty()) writer.add(part, origin);  // 3MF knows no empty meshes
-    replace_aside(file, [&](const std::filesystem::path& temporary) { writer.write(temporary); });
+        out.print("   <base name=\"{}\" displaycolor=\"{}\"/>\n", xml_attribute(part.name),
+                  text_from_rgb(part.color));
+    out.print("  </basematerials>\n");
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (!parts[i].soup.triangles.empty())
+            print_object(out, parts[i], i, origin);  // 3MF knows no empty meshes
+    out.print(" </resources>\n <build>\n");
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (!parts[i].soup.triangles.empty())
+            out.print("  <item objectid=\"{}\" transform=\"1 0 0 0 1 0 0 0 1 {:.0f} {:.0f} {:.0f}\"/>\n",
+                      i + 2, origin.x, origin.y, origin.z);
+    out.print(" </build>\n</model>\n");
+}
+
+void put_entry(ZipWriter& zip, const char* name, std::string_view content) {
+    zip.begin(name);
+    zip.append(content);
+    zip.end();
+}
+
+}  // namespace
+
+void write_3mf(const std::filesystem::path& file, std::span<const PartData> parts) {
+    write_aside(file, [&](std::ostream& stream) {
+        ZipWriter zip(stream);
+        put_entry(zip, "[Content_Types].xml", kContentTypes);
+        put_entry(zip, "_rels/.rels", kRelations);
+        zip.begin("3D/3dmodel.model");
+        EntryText out(zip);
+        print_model(out, parts);
+        out.flush();
+        zip.end();
+        zip.finish();
+    });
 }
 
 }  // namespace stratareeb
