@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// FreeCAD and MeshLab open what the program writes. Skipped where they are not installed (test.sh installs
+// them).
+#include "tests/users_programs.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "io/write_mesh.h"
+#include "io/write_step.h"
+#include "tests/planar_shapes.h"
+
+namespace stratareeb {
+namespace {
+
+using test::FreeCadSolid;
+using test::TemporaryFolder;
+
+#define REQUIRE_FREECAD() \
+    if (!test::has_program("freecadcmd")) GTEST_SKIP() << "no freecadcmd: install freecad-python3"
+#define REQUIRE_MESHLAB()                                                      \
+    if (!test::has_program("meshlabserver") || !test::has_program("xvfb-run")) \
+    GTEST_SKIP() << "no meshlabserver or xvfb-run: install meshlab, xvfb, xauth and libgl1-mesa-dri"
+
+double wavy(double x, double y) {
+    return 25 + 3 * std::sin(x / 70) * std::cos(y / 90) + 0.01 * x;
+}
+
+std::vector<LayerSolid> three_layers() {
+    TriMesh islands;
+    test::add_slab(islands, {.n = 3, .size = 100, .top = test::level(-5), .base = test::level(-8)});
+    test::add_slab(islands,
+                   {.n = 4, .size = 200, .x0 = 500, .top = test::level(-5), .base = test::level(-9)});
+    const auto holed = [](int i, int j) { return i < 8 || i > 11 || j < 5 || j > 9; };
+    std::vector<LayerSolid> layers;
+    layers.push_back({1,
+                      {"a", "made ground", "#c8a050"},
+                      test::slab({.n = 20, .size = 1000, .top = wavy, .has_cell = holed})});
+    layers.push_back({2, {"b", "Argile à blocs", "#4060c0"}, islands});
+    layers.push_back({3, {"c", "lens", "#40a060"}, test::cone_lens(40, 5, 300, 4, 7)});
+    return layers;
+}
+
+void expect_sound(const FreeCadSolid& solid, double volume, double unit_mm) {
+    SCOPED_TRACE(solid.label);
+    EXPECT_EQ(solid.shape_type, "Solid");
+    EXPECT_EQ(solid.solids, 1u);
+    EXPECT_TRUE(solid.valid);
+    EXPECT_TRUE(solid.closed);
+    const double expected = volume * std::pow(unit_mm, 3);
+    EXPECT_NEAR(solid.volume_mm3, expected, 1e-6 * expected);
+}
+
+TEST(UsersPrograms, freecad_opens_our_step_as_valid_closed_solids_of_true_size) {
+    REQUIRE_FREECAD();
+    const TemporaryFolder folder("freecad");
+    const auto layers = three_layers();
+    for (const auto& [unit, mm] :
+         {std::pair{"m", 1000.0}, {"ft", 304.8}, {"us-ft", 1200.0 / 3937.0 * 1000.0}}) {
+        SCOPED_TRACE(unit);
+        const auto step = folder.path() / "model.step";
+        write_step(step, layers, {.length_unit = unit});
+        const auto solids = test::open_in_freecad(step, folder.path());
+        ASSERT_EQ(solids.size(), 4u);
+        EXPECT_EQ(solids[0].label, "made ground");
+        EXPECT_EQ(solids[1].label, "Argile à blocs");
+        EXPECT_EQ(solids[2].label, "Argile à blocs, body 2");
+        EXPECT_EQ(solids[3].label, "lens");
+        expect_sound(solids[0], test::mesh_volume(layers[0].surface), mm);
+        expect_sound(solids[1], 100 * 100 * 3, mm);
+        expect_sound(solids[2], 200 * 200 * 4, mm);
+        expect_sound(solids[3], test::mesh_volume(layers[2].surface), mm);
+    }
+}
+
+TEST(UsersPrograms, meshlab_opens_our_ply_as_two_manifold_without_holes) {
+    REQUIRE_MESHLAB();
+    const TemporaryFolder folder("meshlab");
+    const auto ply = folder.path() / "layer.ply";
+    const int genus[] = {1, 0, 0}, components[] = {1, 2, 1};
+    for (const auto& layer : three_layers()) {
+        SCOPED_TRACE(layer.unit.name);
+        write_mesh(ply, {layer.unit.name, layer.unit.color, &layer.surface});
+        const auto report = test::open_in_meshlab(ply, folder.path());
+        EXPECT_TRUE(report.two_manifold) << report.output;
+        EXPECT_EQ(report.holes, 0);
+        EXPECT_EQ(report.genus, genus[layer.order - 1]);
+        EXPECT_EQ(report.components, components[layer.order - 1]);
+        const double volume = test::mesh_volume(layer.surface);
+        EXPECT_NEAR(report.volume.value_or(0), volume, 1e-5 * volume);
+    }
+}
+
+}  // namespace
+}  // namespace stratareeb
