@@ -73,10 +73,13 @@ void run(const SampleArguments& arguments) {
 }
 
 template <class Choice>
-CLI::Option* add_choice(CLI::App& command, const std::string& name, Choice& choice,
-                        const std::map<std::string, Choice>& names, const std::string& help) {
-    return command.add_option(name, choice, help)
-        ->transform(CLI::CheckedTransformer(names, CLI::ignore_case));
+void add_choice(CLI::App& command, const std::string& name, Choice& choice,
+                const std::map<std::string, Choice>& names, const std::string& help) {
+    std::string choices;
+    for (const auto& [word, value] : names) choices += (choices.empty() ? "" : "|") + word;
+    command.add_option(name, choice, help)
+        ->transform(CLI::CheckedTransformer(names, CLI::ignore_case))
+        ->option_text(choices);
 }
 
 }  // namespace
@@ -89,12 +92,21 @@ void add_sample_command(CLI::App& program) {
         ->add_option("-o,--output", arguments->output,
                      "Table to write, .csv or .xlsx; its true volumes go to *_truth.json")
         ->required();
-    command->add_option("--holes", survey.holes, "Number of holes, 3 or more")->capture_default_str();
-    command->add_option("--layers", survey.layers, "Number of layers")->capture_default_str();
-    command->add_option("--seed", survey.seed, "Another seed, another survey")->capture_default_str();
-    command->add_option("--extent", survey.extent, "Side of the square that is drilled")
+    command->add_option("--holes", survey.holes, "Number of holes")
+        ->check(CLI::Range(3, 10'000'000))
         ->capture_default_str();
-    command->add_option("--thickness", survey.thickness, "Thickness of a layer")->capture_default_str();
+    command->add_option("--layers", survey.layers, "Number of layers")
+        ->check(CLI::Range(1, 10'000))
+        ->capture_default_str();
+    command->add_option("--seed", survey.seed, "Another seed, another survey")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    command->add_option("--extent", survey.extent, "Side of the square that is drilled")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    command->add_option("--thickness", survey.thickness, "Thickness of a layer")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
     add_choice<TableLayout>(
         *command, "--layout", arguments->layout,
         {{"wide", TableLayout::Wide}, {"intervals", TableLayout::Intervals}, {"points", TableLayout::Points}},
