@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -74,13 +75,25 @@ void run(const SampleArguments& arguments) {
 
 template <class Choice>
 void add_choice(CLI::App& command, const std::string& name, Choice& choice,
-                const std::map<std::string, Choice>& names, const std::string& help) {
-    std::string choices;
-    for (const auto& [word, value] : names) choices += (choices.empty() ? "" : "|") + word;
-    command.add_option(name, choice, help)
-        ->transform(CLI::CheckedTransformer(names, CLI::ignore_case))
-        ->option_text(choices);
+                const std::map<std::string, Choice>& words, const std::string& help) {
+    std::string list;
+    for (const auto& [word, value] : words) list += (list.empty() ? "" : "|") + word;
+    const auto choose = [&choice, words, list, name](const std::string& word) {
+        const auto found = words.find(word);
+        if (found == words.end())
+            throw CLI::ValidationError(name, fmt::format("{} is none of {}", word, list));
+        choice = found->second;
+    };
+    command.add_option_function<std::string>(name, choose, help)->option_text(list);
 }
+
+const CLI::Validator kPositive(
+    [](const std::string& text) {
+        double number = 0;
+        const bool sound = CLI::detail::lexical_cast(text, number) && number > 0 && std::isfinite(number);
+        return sound ? std::string() : fmt::format("{} is not a number above 0", text);
+    },
+    "");
 
 }  // namespace
 
@@ -93,19 +106,20 @@ void add_sample_command(CLI::App& program) {
                      "Table to write, .csv or .xlsx; its true volumes go to *_truth.json")
         ->required();
     command->add_option("--holes", survey.holes, "Number of holes")
-        ->check(CLI::Range(3, 10'000'000))
+        ->check(CLI::Range(3, 10'000'000, "3 or more"))
         ->capture_default_str();
     command->add_option("--layers", survey.layers, "Number of layers")
-        ->check(CLI::Range(1, 10'000))
+        ->check(CLI::Range(1, 10'000, "1 or more"))
         ->capture_default_str();
-    command->add_option("--seed", survey.seed, "Another seed, another survey")
-        ->check(CLI::NonNegativeNumber)
+    command
+        ->add_option("--seed", survey.seed, "Another seed, another survey")
+
         ->capture_default_str();
     command->add_option("--extent", survey.extent, "Side of the square that is drilled")
-        ->check(CLI::PositiveNumber)
+        ->check(kPositive)
         ->capture_default_str();
     command->add_option("--thickness", survey.thickness, "Thickness of a layer")
-        ->check(CLI::PositiveNumber)
+        ->check(kPositive)
         ->capture_default_str();
     add_choice<TableLayout>(
         *command, "--layout", arguments->layout,
