@@ -178,7 +178,7 @@ class Examination {
                                 text(soup_.points[first])));
     }
 
-    // Boundary edges follow each other where a fan ends, so loops that merely touch in a vertex stay apart.
+    // Boundary edges follow each other around a fan; fans that merely touch in a vertex are taken apart.
     void count_boundary_loops() {
         DisjointSets ends(3 * soup_.triangles.size());
         std::vector<std::uint32_t> open_sides;

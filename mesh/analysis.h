@@ -24,7 +24,7 @@ struct MeshReport {
                                        // none for a surface that is not manifold or not orientable
 
     std::size_t boundary_edges = 0;
-    std::size_t boundary_loops = 0;
+    std::size_t boundary_loops = 0;         // after taking apart fans that touch in one vertex only
     std::size_t non_manifold_edges = 0;     // more than two triangles
     std::size_t non_manifold_vertices = 0;  // more than one fan of triangles
     std::size_t misoriented_edges = 0;      // triangles on both sides run along it the same way
