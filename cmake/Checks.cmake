@@ -27,3 +27,8 @@ add_test(NAME package COMMAND "${CMAKE_COMMAND}"
          -D "build=${PROJECT_BINARY_DIR}" -D "source=${PROJECT_SOURCE_DIR}/tests/package" -D "flags=${flags}"
          -D "generator=${CMAKE_GENERATOR}" -D "compiler=${CMAKE_CXX_COMPILER}"
          -P "${PROJECT_SOURCE_DIR}/tests/package/run.cmake")
+
+# Every command that README.md and docs/ show runs.
+add_test(NAME docs_commands COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/docs_commands_test.py"
+         "$<TARGET_FILE:stratareeb>")
+set_tests_properties(docs_commands PROPERTIES TIMEOUT 1200)
