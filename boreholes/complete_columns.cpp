@@ -30,8 +30,9 @@ std::vector<double> predicted_elevations(const Sample& known, std::span<const Po
 
 std::vector<double> predicted_thicknesses(const Sample& known, std::span<const Point2> where,
                                           const CompletionOptions& options) {
-    const ThicknessField field(std::make_shared<HoleTriangulation>(known.at), {known.value},
-                               options.pinch_out, options.interpolator);
+    const auto holes = std::make_shared<HoleTriangulation>(known.at);
+    const ThicknessField field(holes, {known.value}, options.pinch_out,
+                               make_interpolator(options.interpolator, holes));
     return field.predict(where)[0];
 }
 

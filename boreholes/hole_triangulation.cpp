@@ -32,6 +32,7 @@ constexpr std::int32_t kNoTriangle = -1;  // an infinite or peeled face
 // Natural neighbour coordinates that miss their own place by more than this share of the neighbourhood are
 // the victims of rounding in a flat cell; barycentric ones are taken instead.
 constexpr double kCoordinateTolerance = 1e-6;
+constexpr double kOnHullEdge = 1e-7;  // a barycentric weight
 
 double distance(const Point2& a, const Point2& b) {
     return std::hypot(a.x - b.x, a.y - b.y);
@@ -71,15 +72,15 @@ struct HoleTriangulation::Delaunay {
     mutable Dt::Face_handle hint;
 };
 
-HoleTriangulation::HoleTriangulation(std::vector<Point2> sites)
+HoleTriangulation::HoleTriangulation(std::vector<Point2> sites, double hull_sliver)
     : sites_(std::move(sites)), delaunay_(std::make_unique<Delaunay>()) {
     if (sites_.empty()) throw InvalidInput("no holes to interpolate between");
-    triangulate();
+    triangulate(hull_sliver);
 }
 
 HoleTriangulation::~HoleTriangulation() = default;
 
-void HoleTriangulation::triangulate() {
+void HoleTriangulation::triangulate(double hull_sliver) {
     std::vector<std::pair<CgalPoint, std::uint32_t>> points;
     points.reserve(sites_.size());
     for (std::uint32_t i = 0; i < sites_.size(); ++i)
@@ -90,18 +91,18 @@ void HoleTriangulation::triangulate() {
 
     const Point2 a = sites_[farthest(sites_, sites_[0])];
     const Point2 b = sites_[farthest(sites_, a)];
-    double width = 0;
+    double slenderness = 0;
     if (sites_.size() > 2)
-        for (const Point2& p : sites_) width = std::max(width, height_over_length(a, b, p));
-    if (delaunay_->dt.dimension() < 2 || width < kHullSliver) return chain_collinear();
+        for (const Point2& p : sites_) slenderness = std::max(slenderness, height_over_length(a, b, p));
+    if (delaunay_->dt.dimension() < 2 || slenderness < hull_sliver) return chain_collinear();
 
-    peel_hull_slivers();
+    peel_hull_slivers(hull_sliver);
     if (triangles_.empty()) return chain_collinear();
     link_hull();
 }
 
 // Face infos become triangle numbers, kNoTriangle where infinite or peeled.
-void HoleTriangulation::peel_hull_slivers() {
+void HoleTriangulation::peel_hull_slivers(double hull_sliver) {
     Dt& dt = delaunay_->dt;
     constexpr std::int32_t kKept = 0;
     std::vector<char> on_hull(sites_.size(), 0);
@@ -120,7 +121,7 @@ void HoleTriangulation::peel_hull_slivers() {
         const std::uint32_t apex = face->vertex(i)->info();
         const Point2 &a = sites_[face->vertex(dt.ccw(i))->info()],
                      &b = sites_[face->vertex(dt.cw(i))->info()];
-        if (on_hull[apex] || height_over_length(a, b, sites_[apex]) >= kHullSliver) continue;
+        if (on_hull[apex] || height_over_length(a, b, sites_[apex]) >= hull_sliver) continue;
         face->info() = kNoTriangle;
         on_hull[apex] = 1;
         for (int j = 0; j < 3; ++j)
@@ -159,11 +160,12 @@ void HoleTriangulation::chain_collinear() {
     triangles_.clear();
     const Point2 a = sites_[farthest(sites_, sites_[0])];
     const Point2 b = sites_[farthest(sites_, a)];
+    const double length = sites_.size() > 1 ? distance(a, b) : 1;
+    axis_start_ = a;
+    axis_ = {(b.x - a.x) / length, (b.y - a.y) / length};
     std::vector<std::uint32_t> order(sites_.size());
     std::iota(order.begin(), order.end(), 0u);
-    const auto along = [&](std::uint32_t i) {
-        return (sites_[i].x - a.x) * (b.x - a.x) + (sites_[i].y - a.y) * (b.y - a.y);
-    };
+    const auto along = [&](std::uint32_t i) { return along_axis(sites_[i]); };
     std::sort(order.begin(), order.end(),
               [&](auto i, auto j) { return std::pair(along(i), i) < std::pair(along(j), j); });
     for (std::size_t i = 0; i + 1 < order.size(); ++i) hull_edges_.push_back({order[i], order[i + 1]});
@@ -183,8 +185,34 @@ std::vector<std::uint32_t> HoleTriangulation::walking_order(std::span<const Poin
     return order;
 }
 
-PlanLocation HoleTriangulation::closest_on_hull(const Point2& p) const {
+double HoleTriangulation::along_axis(const Point2& p) const {
+    return (p.x - axis_start_.x) * axis_.x + (p.y - axis_start_.y) * axis_.y;
+}
+
+Point2 HoleTriangulation::outward(std::size_t hull_edge) const {
+    const Point2 &a = sites_[hull_edges_[hull_edge][0]], &b = sites_[hull_edges_[hull_edge][1]];
+    if (is_flat()) {
+        const double sign = along_axis(a) <= along_axis(b) ? 1 : -1;
+        return {sign * axis_.y, -sign * axis_.x};
+    }
+    const double length = distance(a, b);
+    return {(b.y - a.y) / length, (a.x - b.x) / length};
+}
+
+//! Between the two sites before and behind along the axis.
+PlanLocation HoleTriangulation::closest_on_chain(const Point2& p) const {
     if (sites_.size() == 1) return at_site(0, false);
+    const double s = along_axis(p);
+    const auto forth = std::span(hull_edges_).first(hull_edges_.size() / 2);
+    const auto behind =
+        std::ranges::lower_bound(forth, s, {}, [&](const auto& e) { return along_axis(sites_[e[1]]); });
+    const auto [i, j] = behind == forth.end() ? forth.back() : *behind;
+    const double from = along_axis(sites_[i]), to = along_axis(sites_[j]);
+    const double t = to > from ? std::clamp((s - from) / (to - from), 0.0, 1.0) : 1.0;
+    return {{i, j, j}, {1 - t, t, 0}, false};
+}
+
+PlanLocation HoleTriangulation::closest_on_hull(const Point2& p) const {
     PlanLocation best;
     double best_distance = std::numeric_limits<double>::infinity();
     for (const auto& [i, j] : hull_edges_) {
@@ -200,13 +228,13 @@ PlanLocation HoleTriangulation::closest_on_hull(const Point2& p) const {
 }
 
 PlanLocation HoleTriangulation::locate(const Point2& p) const {
-    if (is_flat()) return closest_on_hull(p);
+    if (is_flat()) return closest_on_chain(p);
     Dt::Locate_type type;
     int index;
     const auto face = delaunay_->dt.locate(CgalPoint(p.x, p.y), type, index, delaunay_->hint);
     delaunay_->hint = face;
     if (type == Dt::VERTEX) return at_site(face->vertex(index)->info(), true);
-    if (face->info() != kNoTriangle && type != Dt::OUTSIDE_CONVEX_HULL)
+    if (type != Dt::OUTSIDE_CONVEX_HULL && face->info() != kNoTriangle)
         return barycentric(triangles_[static_cast<std::size_t>(face->info())], sites_, p);
     if (type == Dt::EDGE && face->neighbor(index)->info() != kNoTriangle)
         return barycentric(triangles_[static_cast<std::size_t>(face->neighbor(index)->info())], sites_, p);
@@ -219,6 +247,20 @@ std::vector<PlanLocation> HoleTriangulation::locate(std::span<const Point2> wher
     return result;
 }
 
+// There natural neighbour coordinates are those of the edge's ends, and their construction divides by
+// nothing.
+bool HoleTriangulation::on_hull_edge_or_site(const PlanLocation& location) const {
+    const Dt& dt = delaunay_->dt;
+    const auto face = delaunay_->hint;
+    for (int k = 0; k < 3; ++k) {
+        if (location.weight[k] == 1) return true;
+        if (location.weight[k] > kOnHullEdge) continue;
+        for (int i = 0; i < 3; ++i)
+            if (face->vertex(i)->info() == location.site[k] && dt.is_infinite(face->neighbor(i))) return true;
+    }
+    return false;
+}
+
 void HoleTriangulation::natural_neighbours(const Point2& p, std::vector<SiteWeight>& weights) const {
     weights.clear();
     const PlanLocation location = locate(p);
@@ -227,7 +269,7 @@ void HoleTriangulation::natural_neighbours(const Point2& p, std::vector<SiteWeig
         for (int k = 0; k < 3; ++k)
             if (location.weight[k] > 0) weights.push_back({location.site[k], location.weight[k]});
     };
-    if (!location.inside || std::ranges::count(location.weight, 0.0) > 0) return take_barycentric();
+    if (!location.inside || on_hull_edge_or_site(location)) return take_barycentric();
 
     std::vector<std::pair<Dt::Vertex_handle, double>> coordinates;
     const auto found = CGAL::natural_neighbors_2(delaunay_->dt, CgalPoint(p.x, p.y),

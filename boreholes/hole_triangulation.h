@@ -28,14 +28,16 @@ struct SiteWeight {
 };
 
 //! Delaunay triangulation of the holes in plan. Any number of distinct sites from one up; collinear sites
-//! make a chain without triangles. Hull triangles flatter than kHullSliver are left out, so that holes in a
-//! row along the edge of a survey stay on its hull whatever their last digits say.
+//! make a chain without triangles. Hull triangles flatter than a limit are
+//! left out, by default only those that rounding makes, so that holes in a row along the edge of a survey
+//! stay on its hull whatever their last digits say.
 class HoleTriangulation {
  public:
-    static constexpr double kHullSliver = 1e-6;  // height over length of a hull triangle that is peeled off
+    static constexpr double kRoundingSliver = 1e-6;
 
-    //! \pre at least one site, all distinct.
-    explicit HoleTriangulation(std::vector<Point2> sites);
+    //! `hull_sliver`: hull triangles whose height over length is less are peeled off, and sites that all lie
+    //! in so thin a strip are taken as a chain along it. \pre at least one site, all distinct.
+    explicit HoleTriangulation(std::vector<Point2> sites, double hull_sliver = kRoundingSliver);
     ~HoleTriangulation();
 
     const std::vector<Point2>& sites() const { return sites_; }
@@ -44,6 +46,8 @@ class HoleTriangulation {
     //! Hull edges, the hull's inside to the left, in order. Collinear sites: there and back again.
     const std::vector<std::array<std::uint32_t, 2>>& hull_edges() const { return hull_edges_; }
     bool is_flat() const { return triangles_.empty(); }
+    //! Unit vector square to a hull edge (square to the chain, where sites are flat), away from the inside.
+    Point2 outward(std::size_t hull_edge) const;
 
     std::vector<PlanLocation> locate(std::span<const Point2> where) const;
 
@@ -64,18 +68,22 @@ class HoleTriangulation {
 
  private:
     struct Delaunay;
-    void triangulate();
-    void peel_hull_slivers();
+    void triangulate(double hull_sliver);
+    void peel_hull_slivers(double hull_sliver);
     void link_hull();
     void chain_collinear();
     std::vector<std::uint32_t> walking_order(std::span<const Point2> where) const;
     PlanLocation locate(const Point2& p) const;
+    double along_axis(const Point2& p) const;
+    PlanLocation closest_on_chain(const Point2& p) const;
     PlanLocation closest_on_hull(const Point2& p) const;
+    bool on_hull_edge_or_site(const PlanLocation& location) const;
     void natural_neighbours(const Point2& p, std::vector<SiteWeight>& weights) const;
 
     std::vector<Point2> sites_;
     std::vector<std::array<std::uint32_t, 3>> triangles_;
     std::vector<std::array<std::uint32_t, 2>> hull_edges_;
+    Point2 axis_start_, axis_;  // of flat sites: a far end and the unit vector towards the other
     std::unique_ptr<Delaunay> delaunay_;
 };
 

@@ -7,11 +7,11 @@ namespace stratareeb {
 
 ThicknessField::ThicknessField(std::shared_ptr<const HoleTriangulation> holes,
                                std::vector<std::vector<double>> thickness, PinchOutRule rule,
-                               InterpolatorKind kind)
+                               std::unique_ptr<Interpolator> interpolator)
     : holes_(std::move(holes)),
       thickness_(std::move(thickness)),
       rule_(rule),
-      interpolator_(make_interpolator(kind, holes_)) {
+      interpolator_(std::move(interpolator)) {
     for (const auto& layer : thickness_) {
         auto& present = present_.emplace_back(layer.size());
         std::ranges::transform(layer, present.begin(), [](double t) { return static_cast<char>(t > 0); });
@@ -29,6 +29,18 @@ bool ThicknessField::is_present(std::size_t layer, const PlanLocation& location)
     return share(layer, location) > rule_.fraction;
 }
 
+// Where none of the interpolator's sites around a place has the layer, though it is there: the mean of the
+// corners that do.
+double ThicknessField::mean_of_present(std::size_t layer, const PlanLocation& location) const {
+    double sum = 0, weight = 0;
+    for (int k = 0; k < 3; ++k) {
+        if (!has(layer, location.site[k])) continue;
+        sum += location.weight[k] * thickness_[layer][location.site[k]];
+        weight += location.weight[k];
+    }
+    return weight > 0 ? sum / weight : 0.0;
+}
+
 std::vector<std::vector<double>> ThicknessField::predict(std::span<const Point2> where) const {
     std::vector<SiteField> fields;
     for (std::size_t i = 0; i < layers(); ++i) fields.push_back({thickness_[i], present_[i]});
@@ -37,8 +49,8 @@ std::vector<std::vector<double>> ThicknessField::predict(std::span<const Point2>
     for (std::size_t i = 0; i < layers(); ++i)
         for (std::size_t p = 0; p < where.size(); ++p) {
             const double inside = share(i, locations[p]);
-            if (inside == 1) continue;
-            result[i][p] *= std::max(0.0, (inside - rule_.fraction) / (1 - rule_.fraction));
+            if (inside > rule_.fraction && result[i][p] == 0) result[i][p] = mean_of_present(i, locations[p]);
+            if (inside < 1) result[i][p] *= std::max(0.0, (inside - rule_.fraction) / (1 - rule_.fraction));
         }
     return result;
 }

@@ -21,9 +21,10 @@ namespace stratareeb {
 //! thickness with zeros, as in the thesis.
 class ThicknessField {
  public:
-    //! `thickness[layer][site]`, >= 0; 0 = absent.
+    //! `thickness[layer][site]`, >= 0; 0 = absent. `holes` is the triangulation of the shares; the
+    //! interpolator may stand on another one of the same sites.
     ThicknessField(std::shared_ptr<const HoleTriangulation> holes, std::vector<std::vector<double>> thickness,
-                   PinchOutRule rule, InterpolatorKind kind);
+                   PinchOutRule rule, std::unique_ptr<Interpolator> interpolator);
 
     std::size_t layers() const { return thickness_.size(); }
     const HoleTriangulation& holes() const { return *holes_; }
@@ -39,6 +40,8 @@ class ThicknessField {
     std::vector<std::vector<double>> predict(std::span<const Point2> where) const;
 
  private:
+    double mean_of_present(std::size_t layer, const PlanLocation& location) const;
+
     std::shared_ptr<const HoleTriangulation> holes_;
     std::vector<std::vector<double>> thickness_;
     std::vector<std::vector<char>> present_;

@@ -18,6 +18,8 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
+constexpr double kSlenderest = 1e-4;  // width over length of a hull that can still be meshed
+
 double signed_area(const std::vector<Point2>& ring) {
     double twice = 0;
     const Point2 o = ring.front();
@@ -90,11 +92,15 @@ void check_no_crossing(const Footprint& footprint) {
 }  // namespace
 
 Footprint hull_footprint(const HoleTriangulation& holes) {
-    if (holes.is_flat())
-        throw InvalidInput(
-            "all holes stand in a line, so their hull has no area (give --footprint box, or a polygon file)");
     Footprint footprint(1);
     for (const auto& [from, to] : holes.hull_edges()) footprint[0].push_back(holes.sites()[from]);
+    double length = 0;
+    for (const Point2& p : footprint[0])
+        length = std::max(length, std::hypot(p.x - footprint[0][0].x, p.y - footprint[0][0].y));
+    if (holes.is_flat() || area(footprint) < kSlenderest * length * length)
+        throw InvalidInput(
+            "all holes stand in a line, so their hull has no area to speak of (give --footprint box, or a "
+            "polygon file)");
     return footprint;
 }
 

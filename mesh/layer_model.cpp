@@ -18,6 +18,9 @@ namespace {
 // The thinnest a layer may be where it is present at all, as a share of the model's size: thick enough to
 // survive the subtraction of elevations, thin enough to be nothing.
 constexpr double kThinnest = 1e-9;
+// Pinch-out lines are not led into triangles along the hull that are flatter than this, where they would run
+// close beside the model's wall.
+constexpr double kPinchHullSliver = 0.05;
 constexpr double kBareOpening = 0.02, kSpacedOpening = 0.25;
 
 using Progress = std::function<void(const char*, double)>;
@@ -150,12 +153,16 @@ LayerModel build_layer_model(const Survey& survey, const LayerModelOptions& opti
     for (auto& layer : model.columns.thickness)
         for (double& t : layer)
             if (t < thinnest) t = 0;
-    const ThicknessField field(holes, model.columns.thickness, options.pinch_out, options.interpolator);
 
     model.spacing = options.spacing.value_or(suitable_spacing(footprint, survey.holes.size()));
-    const bool beyond_hull = options.footprint.has_value();
+    const bool bare = model.spacing == 0;
+    const auto outline =
+        bare ? holes : std::make_shared<const HoleTriangulation>(model.columns.sites, kPinchHullSliver);
+    const ThicknessField field(outline, model.columns.thickness, options.pinch_out,
+                               make_interpolator(options.interpolator, holes));
+    const bool beyond_hull = options.footprint || !bare;
     PlanLines lines = pinch_lines(field, beyond_hull ? reach_beyond_hull(footprint, model.columns.sites) : 0);
-    if (model.spacing == 0) lines = merged(std::move(lines), cut_triangulation_edges(field));
+    if (bare) lines = merged(std::move(lines), cut_triangulation_edges(field));
     const double expected =
         std::max(1.0, model.spacing > 0 ? 1.4 * area(footprint) / (model.spacing * model.spacing) : 1.0);
     PlanMeshOptions plan_options{.spacing = model.spacing};
@@ -165,8 +172,7 @@ LayerModel build_layer_model(const Survey& survey, const LayerModelOptions& opti
     report(options, "meshing the plan", 0);
     model.plan = build_plan_mesh(footprint, model.columns.sites, lines, plan_options);
     report(options, "finding the layers' regions", 0);
-    model.regions = build_layer_regions(model.plan, field,
-                                        {.opening = model.spacing > 0 ? kSpacedOpening : kBareOpening});
+    model.regions = build_layer_regions(model.plan, field, {.opening = bare ? kBareOpening : kSpacedOpening});
 
     report(options, "predicting horizons", 0);
     const std::vector<Point2> where = plan_points(model.plan.surface);

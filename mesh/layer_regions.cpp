@@ -185,24 +185,24 @@ class Regions {
             const Vertex vertex(static_cast<int>(v));
             if (zero_at(vertex).none()) continue;
             const LayerSet pinched = pinched_at(vertex);
-            for (std::size_t layer = 0; layer < field_.layers(); ++layer)
-                if (pinched[layer]) open(vertex, layer), any = true;
+            if (pinched.any()) open(vertex, pinched), any = true;
         }
         return any;
     }
 
-    void open(Vertex v, std::size_t layer) {
-        ++opened_;
-        std::vector<Vertex> thick;  // neighbours at which the layer has thickness
+    //! One ring around v serves all layers that are opened there.
+    void open(Vertex v, const LayerSet& layers) {
+        opened_ += layers.count();
+        std::vector<Vertex> thick;  // neighbours at which one of the layers has thickness
         for (const Vertex u : mesh_.vv_range(v))
-            if (!zero_at(u)[layer]) thick.push_back(u);
+            if ((layers & ~zero_at(u)).any()) thick.push_back(u);
         for (const Vertex u : thick) {
             const TriMesh::Point from = mesh_.point(v), to = mesh_.point(u);
             const Vertex outer =
                 split(mesh_.edge_handle(mesh_.find_halfedge(v, u)), from + 2 * opening_ * (to - from));
             split(mesh_.edge_handle(mesh_.find_halfedge(v, outer)), from + opening_ * (to - from));
         }
-        for (const Face f : mesh_.vf_range(v)) present_[index(f)].reset(layer);
+        for (const Face f : mesh_.vf_range(v)) present_[index(f)] &= ~layers;
     }
 
     TriMesh& mesh_;

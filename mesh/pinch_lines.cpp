@@ -130,11 +130,10 @@ void add_triangle_lines(LineWork& work, const ThicknessField& field, std::uint32
 
 void add_lines_beyond_hull(LineWork& work, const ThicknessField& field, double reach) {
     const auto& hull = field.holes().hull_edges();
-    const auto& sites = field.holes().sites();
     for (std::uint32_t e = 0; e < hull.size(); ++e) {
         const auto [a, b] = hull[e];
-        const double dx = sites[b].x - sites[a].x, dy = sites[b].y - sites[a].y, length = std::hypot(dx, dy);
-        const Point2 outward{dy / length * reach, -dx / length * reach};
+        const Point2 direction = field.holes().outward(e);
+        const Point2 outward{direction.x * reach, direction.y * reach};
         bool from_a = false, from_b = false;
         for (std::size_t layer = 0; layer < field.layers(); ++layer) {
             from_a |= !field.has(layer, a) && field.has(layer, b);

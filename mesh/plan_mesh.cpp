@@ -9,6 +9,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Hilbert_sort_2.h>
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/property_map.h>
 #include <fmt/format.h>
@@ -19,6 +20,7 @@
 #include <numeric>
 
 #include "boreholes/errors.h"
+#include "mesh/clip_lines.h"
 
 namespace stratareeb {
 
@@ -34,7 +36,15 @@ struct VertexNumber {
 using VertexBase =
     CGAL::Delaunay_mesh_vertex_base_2<Kernel,
                                       CGAL::Triangulation_vertex_base_with_info_2<VertexNumber, Kernel>>;
-using FaceBase = CGAL::Delaunay_mesh_face_base_2<Kernel>;
+
+struct Visit {
+    bool done = false;
+};
+
+using FaceBase = CGAL::Delaunay_mesh_face_base_2<
+    Kernel, CGAL::Constrained_Delaunay_triangulation_face_base_2<
+                Kernel, CGAL::Constrained_triangulation_face_base_2<
+                            Kernel, CGAL::Triangulation_face_base_with_info_2<Visit, Kernel>>>>;
 using DataStructure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel, DataStructure, CGAL::Exact_predicates_tag>;
 using Criteria = CGAL::Delaunay_mesh_size_criteria_2<Cdt>;
@@ -57,11 +67,12 @@ double extent_of(const Footprint& footprint) {
 class PlanBuilder {
  public:
     PlanBuilder(const Footprint& footprint, const std::vector<Point2>& holes, const PlanLines& lines)
-        : holes_(holes), lines_(lines) {
+        : holes_(holes) {
+        const double tolerance = kOnRing * extent_of(footprint);
+        lines_ = clipped_lines(lines, footprint, tolerance);
         std::vector<Point2> given = holes;
-        given.insert(given.end(), lines.points.begin(), lines.points.end());
-        extent_ = extent_of(footprint);
-        footprint_ = with_points_on_rings(footprint, given, kOnRing * extent_);
+        given.insert(given.end(), lines_.points.begin(), lines_.points.end());
+        footprint_ = with_points_on_rings(footprint, given, tolerance);
     }
 
     void triangulate() {
@@ -145,29 +156,26 @@ class PlanBuilder {
     // Regions bounded by constrained edges lie wholly inside or wholly outside of the outline: ask one face
     // of each, the largest, whose centre is the farthest from any doubt.
     void mark_domain() {
+        const InsideTest is_inside(footprint_);
         std::vector<Cdt::Face_handle> region;
-        for (const auto face : cdt_.all_face_handles()) face->set_marked(false);
+        for (const auto face : cdt_.all_face_handles()) face->set_in_domain(false);
         for (const auto seed : cdt_.finite_face_handles()) {
-            if (seed->is_marked()) continue;
+            if (seed->info().done) continue;
             region.assign(1, seed);
-            seed->set_marked(true);
+            seed->info().done = true;
             for (std::size_t next = 0; next < region.size(); ++next)
                 for (int i = 0; i < 3; ++i) {
                     const auto other = region[next]->neighbor(i);
-                    if (region[next]->is_constrained(i) || other->is_marked() || cdt_.is_infinite(other))
+                    if (region[next]->is_constrained(i) || other->info().done || cdt_.is_infinite(other))
                         continue;
-                    other->set_marked(true);
+                    other->info().done = true;
                     region.push_back(other);
                 }
             const auto largest =
                 *std::ranges::max_element(region, {}, [&](auto f) { return cdt_.triangle(f).area(); });
             const CgalPoint centre = CGAL::centroid(cdt_.triangle(largest));
-            const bool inside = is_inside(footprint_, {centre.x(), centre.y()});
+            const bool inside = is_inside({centre.x(), centre.y()});
             for (const auto face : region) face->set_in_domain(inside);
-        }
-        for (const auto face : cdt_.all_face_handles()) {
-            face->set_marked(false);
-            if (cdt_.is_infinite(face)) face->set_in_domain(false);
         }
     }
 
@@ -208,9 +216,8 @@ class PlanBuilder {
     }
 
     const std::vector<Point2>& holes_;
-    const PlanLines& lines_;
+    PlanLines lines_;
     Footprint footprint_;
-    double extent_ = 0;
     Cdt cdt_;
 };
 
