@@ -67,7 +67,7 @@ std::vector<Wave> random_waves(Dice& dice, double extent, double height) {
 //! A layer that ends inside the square: along a line, around a lens or around an opening.
 TrueThickness random_pinch_out(Dice& dice, double extent, double thickness) {
     constexpr TrueThickness::Shape kShapes[] = {TrueThickness::Shape::Ramp, TrueThickness::Shape::Cone,
-                                                 TrueThickness::Shape::Window};
+                                                TrueThickness::Shape::Window};
     TrueThickness field{.shape = kShapes[dice.below(3)], .thickness = thickness};
     if (field.shape == TrueThickness::Shape::Ramp) {
         field.inner = extent * dice.between(0.2, 0.5);

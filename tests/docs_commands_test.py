@@ -5,9 +5,9 @@
 Shown means: a line in a block fenced as ```sh whose first word is stratareeb or build/stratareeb. The commands of a page
 run in order in one empty folder that has the examples in it. They must succeed, or exit as a comment says ("# exits 1").
 """
+import os
 import pathlib
 import re
-import shlex
 import subprocess
 import sys
 import tempfile
@@ -27,10 +27,14 @@ def shown_commands(page):
 def run_page(page, program):
     failures = []
     with tempfile.TemporaryDirectory() as folder:
-        (pathlib.Path(folder) / "examples").symlink_to(ROOT / "examples")
+        place = pathlib.Path(folder)
+        (place / "examples").symlink_to(ROOT / "examples")
+        (place / "build").mkdir()
+        (place / "build/stratareeb").symlink_to(program)
+        environment = {**os.environ, "PATH": f"{place / 'build'}:{os.environ['PATH']}"}
         for line, expected in shown_commands(page):
-            words = shlex.split(line, comments=True)
-            run = subprocess.run([program, *words[1:]], cwd=folder, capture_output=True, text=True, timeout=600)
+            run = subprocess.run(["bash", "-c", line], cwd=place, env=environment, capture_output=True, text=True,
+                                 timeout=600)
             print(f"{page.relative_to(ROOT)}: {line} -> {run.returncode}")
             if run.returncode != expected:
                 failures.append(f"{page.relative_to(ROOT)}: {line}\n  exits {run.returncode}, not {expected}\n{run.stderr}")
