@@ -7,7 +7,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <map>
+#include <numeric>
+#include <tuple>
 #include <unordered_map>
 
 #include "boreholes/errors.h"
@@ -83,8 +84,10 @@ std::vector<SteepPair> steep_pairs(const ContactSet& contacts, const Extent& ext
         grids[point.unit].visit_near(point.at, [&](std::size_t j) {
             if (steep) return;
             const ContactPoint& other = contacts.points[j];
-            const double distance = plan_distance(point.at, other.at), height = std::abs(point.z - other.z);
-            steep = distance <= near && height > kSteep * distance && height > kHigh * extent.height;
+            const double height = std::abs(point.z - other.z);
+            if (height <= kHigh * extent.height) return;
+            const double distance = plan_distance(point.at, other.at);
+            steep = distance <= near && height > kSteep * distance;
             if (steep) pairs.push_back({j, i});
         });
         grids[point.unit].add(point.at, i);
@@ -204,17 +207,37 @@ void refuse_overhangs(ContactSet& contacts, Audit& audit) {
                     a.row, a.z, b.at.x, b.at.y, pairs.size()));
 }
 
+std::vector<std::vector<std::size_t>> points_by_place(const ContactSet& contacts) {
+    const auto& points = contacts.points;
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return std::tie(points[a].at.x, points[a].at.y, a) < std::tie(points[b].at.x, points[b].at.y, b);
+    });
+    std::vector<std::vector<std::size_t>> places;
+    for (std::size_t i = 0; i < order.size(); ++i)
+        if (i > 0 && points[order[i]].at == points[order[i - 1]].at)
+            places.back().push_back(order[i]);
+        else
+            places.push_back({order[i]});
+    std::sort(places.begin(), places.end(),
+              [](const auto& a, const auto& b) { return a.front() < b.front(); });
+    return places;
+}
+
 std::vector<std::size_t> inferred_contact_order(const ContactSet& contacts) {
     OrderVotes votes(contacts.units.size());
-    std::map<std::pair<double, double>, std::map<std::size_t, double>> places;
-    for (const ContactPoint& point : contacts.points)
-        places[{point.at.x, point.at.y}].emplace(point.unit, -point.z);
-    for (const auto& [place, heights] : places) {
-        std::vector<std::size_t> units;
-        std::vector<double> depths;
-        for (const auto& [unit, depth] : heights) {
-            units.push_back(unit);
-            depths.push_back(depth);
+    std::vector<std::size_t> units;
+    std::vector<double> depths;
+    for (const auto& place : points_by_place(contacts)) {
+        if (place.size() < 2) continue;
+        units.clear();
+        depths.clear();
+        for (const std::size_t i : place) {
+            const ContactPoint& point = contacts.points[i];
+            if (std::find(units.begin(), units.end(), point.unit) != units.end()) continue;
+            units.push_back(point.unit);
+            depths.push_back(-point.z);
         }
         votes.add_hole(units, depths);
     }

@@ -19,6 +19,10 @@ void drop_faults(ContactSet& contacts, Audit& audit);
 //! field can hold such a surface.
 void refuse_overhangs(ContactSet& contacts, Audit& audit);
 
+//! Points by place: the numbers of the points at each place with exactly the same x and y, ascending; places
+//! in the order of their first points.
+std::vector<std::vector<std::size_t>> points_by_place(const ContactSet& contacts);
+
 //! The order of units from top to bottom: from points of different units at one place, and for pairs of units
 //! that never share a place, from each point and its nearest neighbour of the other unit.
 std::vector<std::size_t> inferred_contact_order(const ContactSet& contacts);

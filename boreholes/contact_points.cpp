@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <tuple>
 
 #include "boreholes/contact_checks.h"
 #include "boreholes/errors.h"
@@ -50,18 +48,6 @@ void renumber(ContactSet& contacts, const std::vector<std::size_t>& order) {
 }
 
 using Column = std::vector<ContactPoint>;  // the points of one place
-
-//! Points by place, in the order of their first rows. Places that differ in the last bits are the same.
-std::vector<Column> columns_of(const ContactSet& contacts) {
-    std::map<std::pair<double, double>, std::size_t> places;
-    std::vector<Column> columns;
-    for (const ContactPoint& point : contacts.points) {
-        const auto [place, is_new] = places.try_emplace({point.at.x, point.at.y}, columns.size());
-        if (is_new) columns.emplace_back();
-        columns[place->second].push_back(point);
-    }
-    return columns;
-}
 
 //! One height per unit in a column: the mean where there are several.
 void average_repeats(Column& column, std::size_t& averaged) {
@@ -160,7 +146,9 @@ Survey build_contact_survey(ContactSet contacts, const ContactOptions& options, 
             "contacts at the base of units need the elevation of the ground: give a raster (--ground FILE)");
     const std::size_t first = name_layers(contacts, options.mark, has_ground, survey, audit);
     std::size_t averaged = 0;
-    for (Column& column : columns_of(contacts)) {
+    for (const auto& place : points_by_place(contacts)) {
+        Column column;
+        for (const std::size_t i : place) column.push_back(contacts.points[i]);
         average_repeats(column, averaged);
         drop_crossings(contacts, column, audit);
         survey.holes.push_back(hole_of(column, survey.units.size(), first));

@@ -73,7 +73,8 @@ bool is_same_log(const Borehole& a, const Borehole& b) {
 }
 
 std::string hole_name(const Borehole& hole) {
-    return fmt::format("hole {} (row {})", hole.id, hole.row);
+    const std::string row = fmt::format("row {}", hole.row);  // the id of a hole without one
+    return hole.id == row ? row : fmt::format("hole {} ({})", hole.id, row);
 }
 
 //! Finds an earlier point within a tolerance, by cells of twice its size.

@@ -47,7 +47,7 @@ std::optional<double> plain_number(std::string_view text, bool decimal_comma) {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (end != text.data() + text.size()) return std::nullopt;
-    if (error == std::errc::result_out_of_range) return std::abs(value) < 1 ? 0.0 : HUGE_VAL;
+    if (error == std::errc::result_out_of_range) return text.find('-', 1) != text.npos ? 0.0 : HUGE_VAL;
     if (error != std::errc()) return std::nullopt;
     return value;
 }

@@ -58,7 +58,7 @@ class PointReader {
         const auto x = number_cell(shape_, row, columns_.x, context_),
                    y = number_cell(shape_, row, columns_.y, context_);
         const auto z = number_cell(shape_, row, columns_.z, context_);
-        const auto depth = columns_.z ? std::nullopt : number_cell(shape_, row, columns_.depth, context_);
+        const auto depth = number_cell(shape_, row, columns_.z ? std::nullopt : columns_.depth, context_);
         if (context_.audit.error_count() > errors) return std::nullopt;
         if (!x && !y && !z && !depth && point.unit.empty()) return std::nullopt;
         const Collar* collar = collars_ && !point.hole.empty() ? collars_->find(point.hole) : nullptr;
@@ -67,6 +67,7 @@ class PointReader {
         if (!z && !depth) return left_out(point, columns_.z ? "no z" : "no depth");
         if (!z && !(collar && collar->ground))
             return left_out(point, "a depth but no ground elevation of its hole");
+        if (depth && *depth < 0) return left_out(point, "a depth above the ground");
         point.at = x && y ? Point2{*x, *y} : collar->at;
         if (collar) point.ground = collar->ground;
         point.z = z ? *z * context_.vertical : *collar->ground - *depth * context_.vertical;

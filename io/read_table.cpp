@@ -131,6 +131,11 @@ TextTable layer_table(const std::string& source, OGRLayer& layer, bool spreadshe
     return table;
 }
 
+//! A formatted but blank cell in the last possible row of a sheet; all data before it is read.
+bool is_trailing_blank_error() {
+    return std::string_view(CPLGetLastErrorMsg()).find("Too big gap") != std::string_view::npos;
+}
+
 std::vector<TextTable> ogr_tables(const std::string& name, const Source& source) {
     static std::once_flag registered;
     std::call_once(registered, [] { GDALAllRegister(); });
@@ -155,7 +160,8 @@ std::vector<TextTable> ogr_tables(const std::string& name, const Source& source)
         throw IoError(sheets.empty()
                           ? name + ": holds no table"
                           : fmt::format("{}: no sheet or layer {}; it has {}", name, source.sheet, sheets));
-    if (CPLGetLastErrorType() >= CE_Failure) throw IoError(fmt::format("{}: {}", name, CPLGetLastErrorMsg()));
+    if (CPLGetLastErrorType() >= CE_Failure && !is_trailing_blank_error())
+        throw IoError(fmt::format("{}: {}", name, CPLGetLastErrorMsg()));
     return tables;
 }
 

@@ -35,11 +35,17 @@ class WideReader {
     }
 
     void warn_of_ignored() {
-        std::string names;
+        std::vector<std::string> names;
+        std::size_t nameless = 0;
         for (const std::size_t column : columns_.ignored)
-            names += (names.empty() ? "" : ", ") +
-                     (shape_.names[column].empty() ? "(no name)" : shape_.names[column]);
-        if (!names.empty()) warn(0, "columns not used: " + names + " (--order names the layer columns)");
+            if (shape_.names[column].empty())
+                ++nameless;
+            else if (!shape_.table->has_geometry || column > 1)
+                names.push_back(shape_.names[column]);
+        if (nameless > 0) names.push_back(fmt::format("{} without a name", nameless));
+        if (!names.empty())
+            warn(0, fmt::format("columns not used: {} (--order names the layer columns)",
+                                fmt::join(names, ", ")));
     }
 
     std::size_t unit_number(const std::string& unit) {

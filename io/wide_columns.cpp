@@ -57,6 +57,22 @@ bool is_pair(const TableShape& shape, std::size_t column) {
            value_word(last_word(shape.names[column + 1])) != TableValues::Auto;
 }
 
+bool is_numbered(const std::string& name) {
+    return !name.empty() && name.back() >= '0' && name.back() <= '9';
+}
+
+//! Two pairs or more, or a numbered one: "code, depth" alone may be anything.
+bool has_pairs(const TableShape& shape) {
+    std::size_t pairs = 0;
+    bool numbered = false;
+    for (std::size_t column = 0; column < shape.column_count(); ++column) {
+        if (!is_pair(shape, column)) continue;
+        ++pairs;
+        numbered = numbered || (is_numbered(shape.names[column]) && is_numbered(shape.names[column + 1]));
+    }
+    return pairs > 1 || numbered;
+}
+
 //! Columns that tell of a hole, not of a layer.
 bool is_about_hole(const std::string& name) {
     static const std::set<std::string> names{"depth",
@@ -102,6 +118,9 @@ bool is_about_hole(const std::string& name) {
                                              "name"};
     if (names.contains(normal_name(name))) return true;
     const Words words = split_words(normal_name(name));
+    if (words.size() == 2 && words[1].starts_with("dep") &&
+        is_one_of(words[0], {"bore", "hole", "well", "drilled", "max", "final", "water", "casing", "drill"}))
+        return true;
     return std::any_of(words.begin(), words.end(), [](const std::string& word) {
         return is_one_of(word,
                          {"id",       "type",    "date",    "year",  "operator", "driller",     "comment",
@@ -192,6 +211,12 @@ void add_named_layers(const TableShape& shape, const ReadBoreholesOptions& optio
             columns.ignored.push_back(column);
         }
     }
+    const auto place = [&](const LayerColumn& layer) {
+        return std::find(options.order.begin(), options.order.end(), layer.unit);
+    };
+    if (!options.order.empty())
+        std::stable_sort(columns.layers.begin(), columns.layers.end(),
+                         [&](const LayerColumn& a, const LayerColumn& b) { return place(a) < place(b); });
 }
 
 void add_pairs(const TableShape& shape, WideColumns& columns) {
@@ -234,10 +259,7 @@ std::optional<WideColumns> find_wide_columns(const TableShape& shape, const Read
                         {},
                         TableValues::Thickness};
     if (!columns.hole && !(columns.x && columns.y)) return std::nullopt;
-    bool pairs = false;
-    for (std::size_t column = 0; column < shape.column_count(); ++column)
-        pairs = pairs || is_pair(shape, column);
-    if (pairs)
+    if (has_pairs(shape))
         add_pairs(shape, columns);
     else
         add_named_layers(shape, options, columns);
