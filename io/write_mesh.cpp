@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/write_mesh.h"
 
+#include <cmath>
+
 #include "io/write_3mf.h"
 #include "io/write_glb.h"
 #include "io/write_obj.h"
@@ -12,12 +14,13 @@
 namespace stratareeb {
 namespace {
 
-// The normals that the mesh carries; none if any was never set.
+// The normals that the mesh carries; none if any has not length one. OpenMesh leaves normals that were never
+// set to chance.
 std::vector<Point3> normals_of(const TriMesh& mesh) {
     std::vector<Point3> normals;
     for (const auto v : mesh.vertices()) {
         const auto& n = mesh.normal(v);
-        if (n == TriMesh::Normal(0, 0, 0)) return {};
+        if (!(std::abs(n.sqrnorm() - 1) < 1e-6)) return {};
         normals.push_back({n[0], n[1], n[2]});
     }
     return normals;

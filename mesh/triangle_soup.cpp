@@ -115,7 +115,7 @@ TriMesh half_edge_mesh(const TriangleSoup& soup) {
     require_manifold(soup, topology);
     TriMesh mesh;
     mesh.reserve(soup.points.size(), topology.edge_count(), soup.triangles.size());
-    for (const auto& p : soup.points) mesh.add_vertex({p.x, p.y, p.z});
+    for (const auto& p : soup.points) mesh.set_normal(mesh.add_vertex({p.x, p.y, p.z}), {0, 0, 0});
     link_half_edges(soup, topology, mesh);
     link_boundary(mesh);
     return mesh;
