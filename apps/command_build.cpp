@@ -1,11 +1,243 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <fstream>
+#include <memory>
+#include <optional>
+
+#include "apps/build_options.h"
 #include "apps/command.h"
+#include "apps/memory_guard.h"
+#include "apps/progress.h"
 #include "boreholes/errors.h"
+#include "boreholes/plan_layout.h"
+#include "io/read_footprint.h"
+#include "io/read_raster.h"
+#include "io/staged_folder.h"
+#include "io/write_aside.h"
+#include "io/write_mesh.h"
+#include "io/write_meshlab_project.h"
+#include "io/write_model.h"
+#include "io/write_picture.h"
+#include "io/write_step.h"
 
 namespace stratareeb {
+namespace {
+
+// Shares of the whole run at which its parts end, for the time left.
+constexpr double kReadEnd = 0.05, kModelEnd = 0.5, kSolidsEnd = 0.9;
+
+class Build {
+ public:
+    explicit Build(const BuildArguments& arguments)
+        : arguments_(arguments), progress_("build", arguments.quiet ? std::optional(false) : std::nullopt) {}
+
+    //! The walk from table to files.
+    void run() {
+        StagedFolder folder(arguments_.output, arguments_.overwrite);
+        progress_.step("reading boreholes", 0);
+        BoreholeTable table = read_table();
+        const LayerModel model = build_layer_model(table.survey, model_options(table.survey));
+        ModelRecord record{.units = {},
+                           .checks = {},
+                           .warnings = warnings_of(table, model),
+                           .options = arguments_.record(),
+                           .files = {}};
+        write_horizons(folder, model);
+        const std::vector<LayerSolid> solids = write_layers(folder, model, table.survey, record);
+        write_whole_model(folder, model, solids);
+        progress_.step("checking", kSolidsEnd);
+        record.checks = check_model(model, table.survey, record.units);
+        const std::string json = write_record(folder, model, table.survey, record);
+        progress_.clear();
+        fail_if_unsound(record);
+        folder.commit(files_of_model(arguments_.output));
+        print_result(model, table.survey, record, json);
+    }
+
+ private:
+    BoreholeTable read_table() {
+        ReadBoreholesOptions options = arguments_.table.read;
+        options.has_ground_raster = !arguments_.ground.empty();
+        BoreholeTable table = read_boreholes(arguments_.table.tables, options);
+        if (arguments_.footprint == "hull") {
+            check_plan_layout(table.survey, table.audit);
+            table.audit.throw_if_errors();
+        }
+        if (!arguments_.ground.empty()) terrain_ = read_raster(arguments_.ground);
+        return table;
+    }
+
+    LayerModelOptions model_options(const Survey& survey) {
+        LayerModelOptions options;
+        options.interpolator = interpolator_kind(arguments_.interpolator);
+        options.pinch_out = pinch_out_rule(arguments_.pinch_out);
+        if (arguments_.spacing == "none")
+            options.spacing = 0;
+        else if (arguments_.spacing != "auto")
+            options.spacing = std::stod(arguments_.spacing);
+        options.footprint = footprint(survey);
+        if (terrain_) options.terrain = [this](const Point2& p) { return terrain_->sample(p.x, p.y); };
+        options.progress = [this](const char* step, double share) {
+            progress_.step(step, kReadEnd + share * (kModelEnd - kReadEnd));
+        };
+        options.before_meshing = [this, &survey](double triangles) {
+            if (!arguments_.ignore_memory) check_memory(triangles, survey.units.size(), keeps_solids());
+        };
+        return options;
+    }
+
+    std::optional<Footprint> footprint(const Survey& survey) const {
+        if (arguments_.footprint == "hull") return std::nullopt;
+        if (arguments_.footprint != "box") return read_footprint(arguments_.footprint);
+        std::vector<Point2> holes;
+        for (const Borehole& hole : survey.holes) holes.push_back(hole.at);
+        const double margin =
+            arguments_.margin >= 0 ? arguments_.margin : suitable_margin(HoleTriangulation(holes));
+        return box_footprint(holes, margin);
+    }
+
+    static std::vector<std::string> warnings_of(const BoreholeTable& table, const LayerModel& model) {
+        std::vector<std::string> warnings;
+        for (const Finding& finding : table.audit.findings()) warnings.push_back(finding_line(finding));
+        warnings.insert(warnings.end(), model.notes.begin(), model.notes.end());
+        return warnings;
+    }
+
+    void write_horizons(StagedFolder& folder, const LayerModel& model) {
+        for (std::size_t k = 0; k < model.horizons.size(); ++k) {
+            progress_.step("writing horizons", kModelEnd);
+            const TriMesh surface = horizon_surface(model, k, arguments_.normals);
+            const Unit& unit = model.units[k == 0 ? 0 : k - 1];
+            write_mesh(folder.add("horizons/" + numbered_name(k, k == 0 ? "ground" : unit.name) + ".ply"),
+                       {unit.name, unit.color, &surface});
+        }
+    }
+
+    //! One layer at a time, so that only formats that hold the whole model keep all solids in memory.
+    std::vector<LayerSolid> write_layers(StagedFolder& folder, const LayerModel& model, const Survey& survey,
+                                         ModelRecord& record) {
+        std::vector<LayerSolid> kept;
+        for (std::size_t i = 0; i < model.units.size(); ++i) {
+            progress_.step("building solids", kModelEnd + (kSolidsEnd - kModelEnd) * static_cast<double>(i) /
+                                                              static_cast<double>(model.units.size()));
+            LayerSolid solid = build_layer_solid(model, i, arguments_.normals);
+            record.units.push_back(summarize_unit(model, solid, survey));
+            if (solid.surface.n_faces() == 0) continue;
+            const std::string name = "layers/" + numbered_name(i + 1, solid.unit.name);
+            for (const char* format : {"ply", "stl", "off"})
+                if (arguments_.wants(format) || std::string_view(format) == "ply")
+                    write_mesh(folder.add(name + "." + format),
+                               {solid.unit.name, solid.unit.color, &solid.surface});
+            if (keeps_solids()) kept.push_back(std::move(solid));
+        }
+        return kept;
+    }
+
+    bool keeps_solids() const {
+        return arguments_.wants("obj") || arguments_.wants("glb") || arguments_.wants("3mf") ||
+               arguments_.wants("step") || arguments_.wants("png") || arguments_.wants("mlp");
+    }
+
+    void write_whole_model(StagedFolder& folder, const LayerModel& model,
+                           const std::vector<LayerSolid>& solids) {
+        std::vector<MeshPart> parts;
+        for (const auto& solid : solids) parts.push_back({solid.unit.name, solid.unit.color, &solid.surface});
+        for (const std::string format : {"obj", "glb", "3mf"}) {
+            if (!arguments_.wants(format)) continue;
+            progress_.step("writing " + format, kSolidsEnd);
+            write_meshes(folder.add("model." + format), parts);
+            if (format == "obj") folder.add("model.mtl");
+        }
+        if (arguments_.wants("mlp")) write_meshlab_project(folder.add("model.mlp"), layer_files(solids));
+        if (arguments_.wants("step")) {
+            progress_.step("writing step", kSolidsEnd);
+            write_step(folder.add("model.step"), solids,
+                       {.length_unit = model.length_unit, .origin = model.origin});
+        }
+        if (arguments_.wants("png")) {
+            progress_.step("drawing", kSolidsEnd);
+            PictureOptions options;
+            options.length_unit = model.length_unit;
+            options.holes = picture_holes(model);
+            write_picture(folder.add("model.png"), solids, options);
+        }
+    }
+
+    static std::vector<std::pair<std::string, std::string>> layer_files(
+        const std::vector<LayerSolid>& solids) {
+        std::vector<std::pair<std::string, std::string>> files;
+        for (const auto& solid : solids)
+            files.emplace_back(solid.unit.name,
+                               "layers/" + numbered_name(solid.order, solid.unit.name) + ".ply");
+        return files;
+    }
+
+    static std::vector<PictureHole> picture_holes(const LayerModel& model) {
+        std::vector<PictureHole> holes;
+        for (std::size_t h = 0; h < model.columns.sites.size(); ++h) {
+            const auto v = model.plan.hole_vertex[h];
+            if (v == PlanMesh::kNoVertex) continue;
+            const Point2& at = model.columns.sites[h];
+            holes.push_back({{at.x, at.y, model.horizons.front()[v]}, model.horizons.back()[v]});
+        }
+        return holes;
+    }
+
+    std::string write_record(StagedFolder& folder, const LayerModel& model, const Survey& survey,
+                             ModelRecord& record) {
+        const auto path = folder.add("model.json");
+        record.files = folder.files();
+        const std::string json = model_json(model, survey, record);
+        write_aside(path, [&](std::ostream& stream) { stream << json; });
+        return json;
+    }
+
+    static void fail_if_unsound(const ModelRecord& record) {
+        std::string failed;
+        for (const ModelCheck& check : record.checks)
+            if (!check.ok) failed += "\n  " + check.name + ": " + check.detail;
+        if (!failed.empty())
+            throw GeometryError("the model failed its own checks, nothing was written:" + failed);
+    }
+
+    void print_result(const LayerModel& model, const Survey& survey, const ModelRecord& record,
+                      const std::string& json) const {
+        if (!arguments_.quiet)
+            for (const std::string& warning : record.warnings) fmt::print(stderr, "warning: {}\n", warning);
+        if (arguments_.json) {
+            std::fputs(json.c_str(), stdout);
+            return;
+        }
+        const std::string& u = model.length_unit;
+        fmt::print("{} boreholes, {} layers, {} plan triangles; lengths in {}, volumes in {}³\n",
+                   survey.holes.size(), model.units.size(), model.plan.surface.n_faces(), u, u);
+        fmt::print("{:>3}  {:<24} {:>14} {:>10} {:>10} {:>6} {:>6}  holes with/without/unknown\n", "",
+                   "layer", "volume", "mean", "max", "bodies", "genus");
+        for (std::size_t i = 0; i < record.units.size(); ++i) {
+            const UnitSummary& unit = record.units[i];
+            fmt::print("{:>3}  {:<24} {:>14.7g} {:>10.4g} {:>10.4g} {:>6} {:>6}  {}/{}/{}\n", i + 1,
+                       model.units[i].name, unit.volume, unit.mean_thickness, unit.max_thickness,
+                       unit.components, unit.genus, unit.holes_present, unit.holes_absent,
+                       unit.holes_unknown);
+        }
+        fmt::print("{:>3}  {:<24} {:>14.7g}\n", "", "all", envelope_volume(model));
+        for (const ModelCheck& check : record.checks) fmt::print("ok   {}: {}\n", check.name, check.detail);
+        fmt::print("{} files in {}\n", record.files.size(), arguments_.output);
+    }
+
+    const BuildArguments& arguments_;
+    Progress progress_;
+    std::optional<Raster> terrain_;
+};
+
+}  // namespace
 
 void add_build_command(CLI::App& program) {
-    program.add_subcommand("build", "")->callback([] { throw InvalidInput("build"); });
+    auto arguments = std::make_shared<BuildArguments>();
+    CLI::App* command = program.add_subcommand("build", "Boreholes to watertight, conforming layer solids");
+    add_build_options(*command, *arguments);
+    command->callback([arguments] { Build(*arguments).run(); });
 }
 
 }  // namespace stratareeb

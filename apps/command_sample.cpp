@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/choice.h"
 #include "apps/command.h"
 #include "boreholes/errors.h"
 #include "boreholes/random_survey.h"
@@ -71,20 +72,6 @@ void run(const SampleArguments& arguments) {
                 [&](std::ostream& stream) { stream << truth_as_json(options, survey).dump(2) << '\n'; });
     fmt::print(stderr, "{} holes in {} layers:\n", survey.holes.size(), survey.units.size());
     for (const fs::path& file : files) fmt::print("{}\n", file.string());
-}
-
-template <class Choice>
-void add_choice(CLI::App& command, const std::string& name, Choice& choice,
-                const std::map<std::string, Choice>& words, const std::string& help) {
-    std::string list;
-    for (const auto& [word, value] : words) list += (list.empty() ? "" : "|") + word;
-    const auto choose = [&choice, words, list, name](const std::string& word) {
-        const auto found = words.find(word);
-        if (found == words.end())
-            throw CLI::ValidationError(name, fmt::format("{} is none of {}", word, list));
-        choice = found->second;
-    };
-    command.add_option_function<std::string>(name, choose, help)->option_text(list);
 }
 
 const CLI::Validator kPositive(

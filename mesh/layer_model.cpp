@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 #include "boreholes/errors.h"
 #include "boreholes/thickness_field.h"
@@ -89,6 +90,14 @@ PlanLines merged(PlanLines a, const PlanLines& b) {
     return a;
 }
 
+//! Equilateral triangles of three quarters of the spacing, and some around each hole and line.
+double expected_triangles(const Footprint& footprint, double spacing, std::size_t features) {
+    constexpr double kPerFeature = 6;
+    const double even =
+        spacing > 0 ? 4 / std::numbers::sqrt3 * area(footprint) / (0.75 * 0.75 * spacing * spacing) : 0;
+    return even + kPerFeature * static_cast<double>(features);
+}
+
 std::vector<double> ground_at(const std::vector<Point2>& where, const LayerModel& model,
                               const std::shared_ptr<const HoleTriangulation>& holes,
                               const LayerModelOptions& options) {
@@ -163,11 +172,12 @@ LayerModel build_layer_model(const Survey& survey, const LayerModelOptions& opti
     const bool beyond_hull = options.footprint || !bare;
     PlanLines lines = pinch_lines(field, beyond_hull ? reach_beyond_hull(footprint, model.columns.sites) : 0);
     if (bare) lines = merged(std::move(lines), cut_triangulation_edges(field));
-    const double expected =
-        std::max(1.0, model.spacing > 0 ? 1.4 * area(footprint) / (model.spacing * model.spacing) : 1.0);
+    const double triangles =
+        expected_triangles(footprint, model.spacing, survey.holes.size() + lines.segments.size());
+    if (options.before_meshing) options.before_meshing(triangles);
     PlanMeshOptions plan_options{.spacing = model.spacing};
     plan_options.progress = [&](std::size_t vertices) {
-        report(options, "meshing the plan", std::min(0.99, static_cast<double>(vertices) / expected));
+        report(options, "meshing the plan", std::min(0.99, 2 * static_cast<double>(vertices) / triangles));
     };
     report(options, "meshing the plan", 0);
     model.plan = build_plan_mesh(footprint, model.columns.sites, lines, plan_options);

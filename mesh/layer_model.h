@@ -46,6 +46,8 @@ struct LayerModelOptions {
     std::function<std::optional<double>(const Point2&)> terrain;
     //! Called between and during the steps with what is being done and its share (0..1), from one thread.
     std::function<void(const char* step, double share)> progress;
+    //! Called with the expected number of plan triangles before any is made; may throw to call the run off.
+    std::function<void(double triangles)> before_meshing;
 };
 
 //! Coordinates beyond this are shifted to a local origin: viewers and STL keep 24 bits.

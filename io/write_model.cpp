@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/write_model.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace stratareeb {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json unit_json(const LayerModel& model, std::size_t i, const UnitSummary& summary) {
+    const Unit& unit = model.units[i];
+    const auto horizon = [&](std::size_t k) {
+        return "horizons/" + numbered_name(k, k == 0 ? "ground" : model.units[k - 1].name) + ".ply";
+    };
+    const bool absent = summary.triangles == 0;
+    return {{"order", i + 1},
+            {"code", unit.code},
+            {"name", unit.name},
+            {"color", unit.color},
+            {"volume", summary.volume},
+            {"area", summary.area},
+            {"plan_area", summary.plan_area},
+            {"mean_thickness", summary.mean_thickness},
+            {"max_thickness", summary.max_thickness},
+            {"triangles", summary.triangles},
+            {"components", summary.components},
+            {"genus", summary.genus},
+            {"solid", absent ? Json() : Json("layers/" + numbered_name(i + 1, unit.name) + ".ply")},
+            {"top", horizon(i)},
+            {"base", horizon(i + 1)},
+            {"holes_present", summary.holes_present},
+            {"holes_absent", summary.holes_absent},
+            {"holes_unknown", summary.holes_unknown},
+            {"holes_at_least", summary.holes_at_least}};
+}
+
+}  // namespace
+
+std::string numbered_name(std::size_t number, const std::string& name) {
+    std::string safe;
+    for (const char c : name) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                           c == '-' || c == '.';
+        if (plain)
+            safe += c;
+        else if (!safe.empty() && safe.back() != '_')
+            safe += '_';
+    }
+    while (!safe.empty() && (safe.back() == '_' || safe.back() == '.')) safe.pop_back();
+    constexpr std::size_t kLongest = 60;
+    return fmt::format("{:02}_{}", number, safe.empty() ? "layer" : safe.substr(0, kLongest));
+}
+
+std::string model_json(const LayerModel& model, const Survey& survey, const ModelRecord& record) {
+    const Misfit misfit = misfit_of(model, survey);
+    Json json{{"format", "stratareeb model 1"},
+              {"boreholes", survey.holes.size()},
+              {"length_unit", model.length_unit},
+              {"origin", {model.origin.x, model.origin.y, model.origin.z}},
+              {"envelope_volume", envelope_volume(model)},
+              {"spacing", model.spacing},
+              {"plan_vertices", model.plan.surface.n_vertices()},
+              {"plan_triangles", model.plan.surface.n_faces()},
+              {"ground", "horizons/00_ground.ply"}};
+    json["units"] = Json::array();
+    for (std::size_t i = 0; i < record.units.size(); ++i)
+        json["units"].push_back(unit_json(model, i, record.units[i]));
+    json["checks"] = Json::array();
+    for (const auto& check : record.checks)
+        json["checks"].push_back({{"name", check.name}, {"ok", check.ok}, {"detail", check.detail}});
+    json["misfit"] = {{"max", misfit.max}, {"rms", misfit.rms}, {"contacts", misfit.contacts}};
+    json["options"] = record.options;
+    json["warnings"] = record.warnings;
+    json["files"] = record.files;
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::vector<std::string> files_of_model(const std::string& folder) {
+    std::ifstream file(std::filesystem::path(folder) / "model.json");
+    if (!file) return {};
+    const Json json = Json::parse(file, nullptr, false);
+    std::vector<std::string> files;
+    if (json.is_object() && json.contains("files") && json["files"].is_array())
+        for (const auto& name : json["files"])
+            if (name.is_string()) files.push_back(name.get<std::string>());
+    return files;
+}
+
+}  // namespace stratareeb

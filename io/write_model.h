@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "boreholes/audit.h"
+#include "boreholes/borehole.h"
+#include "mesh/layer_model.h"
+#include "mesh/model_summary.h"
+
+namespace stratareeb {
+
+//! What stands in model.json beside the model itself.
+struct ModelRecord {
+    std::vector<UnitSummary> units;  // top first
+    std::vector<ModelCheck> checks;
+    std::vector<std::string> warnings;           // from the table's audit and the completion
+    std::map<std::string, std::string> options;  // as used, by name
+    std::vector<std::string> files;              // all files of the folder, relative
+};
+
+//! Two digits or more, an underscore and the name in letters that any file system takes: "03_made_ground".
+std::string numbered_name(std::size_t number, const std::string& name);
+
+//! model.json's text: see docs/build.md for its keys.
+std::string model_json(const LayerModel& model, const Survey& survey, const ModelRecord& record);
+
+//! The files that a model.json lists; empty if there is none or it can't be read.
+std::vector<std::string> files_of_model(const std::string& folder);
+
+}  // namespace stratareeb
