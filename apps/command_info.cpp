@@ -11,6 +11,7 @@
 #include "apps/mesh_report.h"
 #include "boreholes/errors.h"
 #include "io/mesh_format.h"
+#include "io/read_boreholes.h"
 #include "io/read_mesh.h"
 #include "io/text_scanner.h"
 #include "mesh/measures.h"
@@ -23,6 +24,7 @@ using nlohmann::json;
 
 struct InfoOptions {
     std::vector<std::string> files;
+    std::string collars;
     bool json = false;
 };
 
@@ -60,9 +62,62 @@ json model_info(const std::string& folder) {
     return result;
 }
 
-json info(const std::string& file) {
+const char* layout_name(TableLayout layout) {
+    switch (layout) {
+        case TableLayout::Wide:
+            return "wide";
+        case TableLayout::Intervals:
+            return "intervals";
+        case TableLayout::Points:
+            return "points";
+        case TableLayout::Samples:
+            return "samples";
+        case TableLayout::Auto:
+            break;
+    }
+    return "unknown";
+}
+
+// How many holes have a unit, lack it, end in it, or say nothing of it.
+json unit_info(const Survey& survey, std::size_t unit) {
+    std::size_t present = 0, absent = 0, at_least = 0;
+    for (const auto& hole : survey.holes) {
+        if (unit >= hole.layers.size()) continue;
+        const auto& fact = hole.layers[unit];
+        present += fact.knowledge == Knowledge::Measured && !fact.is_absent();
+        absent += fact.is_absent();
+        at_least += fact.knowledge == Knowledge::AtLeast;
+    }
+    return {{"order", unit + 1},
+            {"code", survey.units[unit].code},
+            {"name", survey.units[unit].name},
+            {"color", survey.units[unit].color},
+            {"holes_present", present},
+            {"holes_absent", absent},
+            {"holes_ending_in_it", at_least},
+            {"holes_unknown", survey.holes.size() - present - absent - at_least}};
+}
+
+json table_info(const std::string& file, const std::string& collars) {
+    const auto table = read_boreholes({file}, {.collars = collars});
+    std::vector<Point3> places;
+    for (const auto& hole : table.survey.holes) places.push_back({hole.at.x, hole.at.y, 0});
+    const auto box = bounding_box(places);
+    json units = json::array();
+    for (std::size_t i = 0; i < table.survey.units.size(); ++i) units.push_back(unit_info(table.survey, i));
+    return {{"file", file},
+            {"kind", "boreholes"},
+            {"layout", layout_name(table.layout)},
+            {"boreholes", table.survey.holes.size()},
+            {"length_unit", table.survey.length_unit},
+            {"box", {{box.min.x, box.min.y}, {box.max.x, box.max.y}}},
+            {"units", units},
+            {"warnings", table.audit.warning_count()}};
+}
+
+json info(const std::string& file, const std::string& collars) {
     if (fs::is_directory(file)) return model_info(file);
-    return mesh_info(file);
+    return is_mesh_file(file) ? mesh_info(file) : table_info(file, collars);
 }
 
 // Numbers as people read them, "?" for what is missing.
@@ -98,15 +153,32 @@ std::string model_text(const json& model) {
     return result + fmt::format("  {} checks, {} of them failed\n", checks.size(), failed);
 }
 
+std::string table_text(const json& table) {
+    std::string result = fmt::format(
+        "{}: {} table of {} boreholes, {} units, {} warnings\n  box {} (in {})\n", shown(table, "file"),
+        shown(table, "layout"), shown(table, "boreholes"), table["units"].size(), shown(table, "warnings"),
+        shown(table, "box"), shown(table, "length_unit"));
+    for (const auto& unit : table["units"])
+        result += fmt::format("  {} {}: in {} holes, absent from {}, {} end in it, {} do not say\n",
+                              shown(unit, "order"), shown(unit, "name"), shown(unit, "holes_present"),
+                              shown(unit, "holes_absent"), shown(unit, "holes_ending_in_it"),
+                              shown(unit, "holes_unknown"));
+    return result;
+}
+
+std::string info_text(const json& result) {
+    if (result["kind"] == "model") return model_text(result);
+    return result["kind"] == "mesh" ? mesh_text(result) : table_text(result);
+}
+
 void run(const InfoOptions& options) {
     json results = json::array();
     bool failed = false;
     for (const auto& file : options.files) {
         try {
-            results.push_back(info(file));
+            results.push_back(info(file, options.collars));
             if (options.json) continue;
-            const auto& result = results.back();
-            const auto text = result["kind"] == "model" ? model_text(result) : mesh_text(result);
+            const auto text = info_text(results.back());
             std::fwrite(text.data(), 1, text.size(), stdout);
         } catch (const std::exception& error) {
             failed = true;
@@ -124,7 +196,9 @@ void add_info_command(CLI::App& program) {
     const auto options = std::make_shared<InfoOptions>();
     auto* const command =
         program.add_subcommand("info", "Say what is in a file or in a folder that build wrote");
-    command->add_option("FILE", options->files, "Mesh files or folders with a model.json")->required();
+    command->add_option("FILE", options->files, "Meshes, borehole tables, or folders that build wrote")
+        ->required();
+    command->add_option("--collars", options->collars, "Collar table that goes with an interval table");
     command->add_flag("--json", options->json, "Print one JSON list instead of text");
     command->callback([options] { run(*options); });
 }

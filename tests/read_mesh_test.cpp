@@ -348,7 +348,7 @@ TEST_F(ReadMesh, survives_any_damage) {
                     default:
                         bad.insert(at, bad.substr(random() % bad.size(), random() % 20));
                 }
-                if (bad.empty()) bad = "x";
+                if (bad.empty()) bad += 'x';
             }
             refusal("bad." + extension, bad);
         }
