@@ -19,10 +19,11 @@ class Cleaner {
     void clean(HoleLog& hole) {
         hole_ = &hole;
         std::erase_if(hole.intervals, [&](LogInterval& interval) { return !is_usable(interval); });
-        std::sort(hole.intervals.begin(), hole.intervals.end(),
-                  [](const LogInterval& a, const LogInterval& b) {
-                      return std::tie(a.from, a.to, a.row) < std::tie(b.from, b.to, b.row);
-                  });
+        std::sort(
+            hole.intervals.begin(), hole.intervals.end(), [](const LogInterval& a, const LogInterval& b) {
+                const bool a_blank = a.unit == LogInterval::kNoUnit, b_blank = b.unit == LogInterval::kNoUnit;
+                return std::tie(a.from, a_blank, a.to, a.row) < std::tie(b.from, b_blank, b.to, b.row);
+            });
         std::vector<LogInterval> column;
         for (const LogInterval& interval : hole.intervals) append(column, interval);
         hole.intervals = std::move(column);
@@ -37,7 +38,7 @@ class Cleaner {
     }
 
     std::string name(const LogInterval& interval) const {
-        return interval.unit == LogInterval::kNoUnit ? "(no unit)" : logs_.units[interval.unit];
+        return interval.unit == LogInterval::kNoUnit ? "no unit" : logs_.units[interval.unit];
     }
 
     bool is_usable(LogInterval& interval) {
@@ -76,11 +77,12 @@ class Cleaner {
             return next.to > next.from;
         }
         if (last.unit == next.unit) {
-            warn(next, "{} to {} overlaps the {} above it; taken as one", next.from, next.to, name(last));
+            warn(next, "{} to {} ({}) overlaps the same above it; taken as one", next.from, next.to,
+                 name(next));
             last.to = std::max(last.to, next.to);
             return false;
         }
-        if (next.from <= last.from + kTouching) {
+        if (next.from <= last.from + kTouching || next.unit == LogInterval::kNoUnit) {
             warn(next, "{} to {} ({}) overlaps {} above {}; it begins at {} here", next.from, next.to,
                  name(next), name(last), last.to, last.to);
             next.from = last.to;

@@ -44,7 +44,9 @@ struct LogSet {
 //! Bring the intervals of each hole into depth order without overlaps: afterwards each ends where the next
 //! begins or above it (a gap). What is done, each with a warning that names the row:
 //! - from ≥ to, or a stretch above the ground: left out;
-//! - a repeated row: counted once; two units from the same depth: the shorter first, the longer below it;
+//! - a repeated row: taken as one; two units from the same depth: the shorter first, the longer below it; a
+//! row without
+//!   a unit gives way to one with;
 //! - an overlap: cut at the top of the lower interval; what the upper one has below the lower one's base is
 //! not used;
 //! - a row without a unit, and a stretch between two intervals that no row covers: unknown (a gap).
