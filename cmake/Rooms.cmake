@@ -2,9 +2,10 @@
 # A room is a folder of sources at the top of the tree and one static library, stratareeb::<room>.
 
 add_library(stratareeb_options INTERFACE)
-# Options are given as {.levels = 2}: what is left out has its default on purpose.
+# Options are given as {.levels = 2}: what is left out has its default on purpose. -Wrestrict is wrong about "a" + string
+# in g++ 12 (its bug 105651).
 target_compile_options(stratareeb_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
-                       -Wno-missing-field-initializers)
+                       -Wno-missing-field-initializers $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 if(STRATAREEB_SANITIZE)
     add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
     add_link_options(-fsanitize=address,undefined)
