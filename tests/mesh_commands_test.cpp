@@ -175,6 +175,18 @@ TEST_F(MeshCommands, info_says_what_is_in_a_mesh) {
     EXPECT_TRUE(says(run("info missing.ply cube.ply").out, "cube.ply: mesh"));
 }
 
+TEST_F(MeshCommands, info_says_what_is_in_a_borehole_table) {
+    folder_.file("table.csv", "hole,x,y,ground,sand,clay\nA,0,0,10,2,3\nB,100,0,11,0,4\nC,0,50,12,1,\n");
+    const auto text = run("info table.csv");
+    EXPECT_EQ(text.exit_code, 0) << text.err;
+    EXPECT_TRUE(says(text.out, "table.csv: wide table of 3 boreholes, 2 units")) << text.out;
+    EXPECT_TRUE(says(text.out, "  1 sand: in 1 holes, absent from 1, 1 end in it, 0 do not say")) << text.out;
+    const auto entry = json::parse(run("info --json table.csv").out)[0];
+    EXPECT_EQ(entry["kind"], "boreholes");
+    EXPECT_EQ(entry["box"], json({{0.0, 0.0}, {100.0, 50.0}}));
+    EXPECT_EQ(entry["units"][1]["holes_unknown"], 1);
+}
+
 TEST_F(MeshCommands, info_says_what_is_in_a_model_folder) {
     std::filesystem::create_directory(folder_ / "model");
     folder_.file("model/model.json",
