@@ -3,7 +3,7 @@
 """Lints of the source tree, each a ctest test: `lint.py includes|text|format|tidy [--build DIR]`.
 
 includes  rooms include only along the arrows that docs/architecture.md draws; headers keep heavy libraries out
-text      a licence line first, headers guarded, nothing left to do
+text      a licence line first, headers guarded, no link of a page broken, nothing left to do
 format    clang-format 14 would change nothing
 tidy      clang-tidy 14 has nothing to say; files that passed are remembered in DIR/tidy by content
 """
@@ -91,13 +91,22 @@ def lint_includes(_):
     return problems
 
 
+def broken_links(path, lines):
+    """Links of a page to files that are not there."""
+    for number, line in enumerate(lines, 1):
+        for link in re.findall(r"\]\(([^)#]+)", line):
+            if "://" not in link and not (ROOT / path.parent / link).exists():
+                yield f"{path}:{number}: {link} is not there"
+
+
 def lint_text(_):
     unfinished = re.compile(r"\b(TO" r"DO|FIX" r"ME|X" r"XX)\b")
     problems = []
     scripts = [p.relative_to(ROOT) for pattern in ("*.sh", ".ci/*", "scripts/*.py", "scripts/*.sh", "cmake/*.cmake",
                                                    "**/CMakeLists.txt") for p in ROOT.glob(pattern)]
     scripts = [p for p in scripts if not p.parts[0].startswith("build")]
-    documents = [p.relative_to(ROOT) for p in [*ROOT.glob("*.md"), *ROOT.glob("docs/*.md")]]
+    documents = [p.relative_to(ROOT) for p in [*ROOT.glob("*.md"), *ROOT.glob("docs/*.md"),
+                                                  *ROOT.glob("examples/**/*.md")]]
     for path in [*sources(".h", ".cpp", ".py", ".cmake"), *sorted(scripts), *sorted(documents)]:
         lines = (ROOT / path).read_text().splitlines()
         if path.suffix != ".md" and not any("SPDX-License-Identifier: GPL-3.0-or-later" in l for l in lines[:2]):
@@ -105,6 +114,8 @@ def lint_text(_):
         if path.suffix == ".h" and "#pragma once" not in lines:
             problems.append(f"{path}:1: no #pragma once")
         problems += [f"{path}:{n}: {line.strip()}" for n, line in enumerate(lines, 1) if unfinished.search(line)]
+        if path.suffix == ".md":
+            problems += broken_links(path, lines)
     return problems
 
 
