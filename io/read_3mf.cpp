@@ -106,7 +106,8 @@ class ThreeMfReader {
         if (lib3mf_object_getnameutf8(object.get(), nullptr, 0, &size) != 0 || size == 0) return "";
         std::string result(size + 1, '\0');
         if (lib3mf_object_getnameutf8(object.get(), result.data(), size + 1, &size) != 0) return "";
-        return result.c_str();
+        result.resize(result.find('\0'));
+        return result;
     }
 
     Rgb color(const ThreeMfObject& object) const {
