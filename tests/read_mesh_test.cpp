@@ -10,14 +10,9 @@
 #include "boreholes/errors.h"
 #include "io/write_mesh.h"
 #include "mesh/analysis.h"
+#include "tests/lib3mf_leaks.h"
 #include "tests/shapes.h"
 #include "tests/temporary_folder.h"
-
-// lib3mf does not free what it had of a damaged archive when it gives up; that is not ours to mend.
-// NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming)
-extern "C" const char* __lsan_default_suppressions() {
-    return "leak:lib3MF\nleak:libzip\n";
-}
 
 namespace stratareeb {
 namespace {
