@@ -17,11 +17,14 @@
 namespace stratareeb {
 namespace {
 
-constexpr double kNear = 0.002;            // of the extent in plan
-constexpr double kSteep = 10;              // height over distance
-constexpr double kHigh = 0.02;             // of the range of heights
-constexpr double kStrayShare = 0.005;      // of all points: more steep pairs are a shape, not mistakes
-constexpr std::size_t kOrderSample = 400;  // points of a unit that are compared with another unit's
+constexpr double kNear = 0.002;        // of the extent in plan
+constexpr double kSteep = 10;          // height over distance
+constexpr double kHigh = 0.02;         // of the range of heights
+constexpr double kStrayShare = 0.005;  // of all points: more steep pairs are a shape, not mistakes
+constexpr std::size_t kStrayMost = 100;
+constexpr std::size_t kOrderSample = 400;    // points of a unit that are compared with another unit's
+constexpr std::size_t kOrderSamples = 8000;  // of all units together
+constexpr std::size_t kCellVisits = 200;     // points of a cell that are compared with a new one
 
 struct Extent {
     double plan = 0, height = 0;
@@ -60,7 +63,8 @@ class CellGrid {
             for (std::int64_t dy = -1; dy <= 1; ++dy)
                 if (const auto found = cells_.find(key(index(at.x) + dx, index(at.y) + dy));
                     found != cells_.end())
-                    for (const std::size_t point : found->second) visit(point);
+                    for (std::size_t i = 0; i < std::min(found->second.size(), kCellVisits); ++i)
+                        visit(found->second[found->second.size() - 1 - i]);
     }
 
  private:
@@ -131,8 +135,9 @@ void drop_strays(ContactSet& contacts, const std::vector<SteepPair>& pairs, Audi
 std::vector<std::vector<const ContactPoint*>> sampled_points(const ContactSet& contacts) {
     std::vector<std::vector<const ContactPoint*>> all(contacts.units.size()), samples(contacts.units.size());
     for (const ContactPoint& point : contacts.points) all[point.unit].push_back(&point);
+    const std::size_t most = std::clamp<std::size_t>(kOrderSamples / (all.size() + 1), 1, kOrderSample);
     for (std::size_t unit = 0; unit < all.size(); ++unit) {
-        const std::size_t step = all[unit].size() / kOrderSample + 1;
+        const std::size_t step = all[unit].size() / most + 1;
         for (std::size_t i = 0; i < all[unit].size(); i += step) samples[unit].push_back(all[unit][i]);
     }
     return samples;
@@ -187,8 +192,9 @@ void drop_faults(ContactSet& contacts, Audit& audit) {
 void refuse_overhangs(ContactSet& contacts, Audit& audit) {
     const std::vector<SteepPair> pairs = steep_pairs(contacts, extent_of(contacts));
     if (pairs.empty()) return;
-    if (static_cast<double>(pairs.size()) <= kStrayShare * static_cast<double>(contacts.points.size()))
-        return drop_strays(contacts, pairs, audit);
+    const double strays =
+        std::min(kStrayShare * static_cast<double>(contacts.points.size()), static_cast<double>(kStrayMost));
+    if (static_cast<double>(pairs.size()) <= strays) return drop_strays(contacts, pairs, audit);
     const auto worst =
         *std::max_element(pairs.begin(), pairs.end(), [&](const SteepPair& p, const SteepPair& q) {
             const auto height = [&](const SteepPair& s) {

@@ -111,13 +111,6 @@ void report_contradictions(const LogSet& logs, std::size_t ordered, Audit& audit
                         reported - kPairsReported));
 }
 
-//! The kept interval that takes in interval i: the next kept one above, or below if there is none.
-std::size_t absorber(const std::vector<bool>& kept, std::size_t i) {
-    for (std::size_t k = i; k-- > 0;)
-        if (kept[k]) return k;
-    return static_cast<std::size_t>(std::find(kept.begin(), kept.end(), true) - kept.begin());
-}
-
 std::vector<bool> kept_intervals(const HoleLog& hole, std::size_t ordered) {
     std::vector<std::size_t> ranks, places;
     std::vector<double> weights;
@@ -135,18 +128,19 @@ std::vector<bool> kept_intervals(const HoleLog& hole, std::size_t ordered) {
 
 void fit_hole(const LogSet& logs, HoleLog& hole, std::size_t ordered, Audit& audit) {
     const std::vector<bool> kept = kept_intervals(hole, ordered);
-    const bool none = std::find(kept.begin(), kept.end(), true) == kept.end();
-    const std::vector<LogInterval> before = hole.intervals;
-    std::size_t above = 0;
-    for (std::size_t i = 0; i < before.size(); ++i) {
-        if (kept[i]) above = i;
-        if (kept[i] || before[i].unit == LogInterval::kNoUnit) continue;
+    const auto first = std::find(kept.begin(), kept.end(), true);
+    const bool none = first == kept.end();
+    std::size_t absorber =
+        none ? LogInterval::kNoUnit : hole.intervals[static_cast<std::size_t>(first - kept.begin())].unit;
+    for (std::size_t i = 0; i < kept.size(); ++i) {
         LogInterval& interval = hole.intervals[i];
-        interval.unit = none ? LogInterval::kNoUnit : before[kept[above] ? above : absorber(kept, i)].unit;
+        if (kept[i]) absorber = interval.unit;
+        if (kept[i] || interval.unit == LogInterval::kNoUnit) continue;
         audit.add_warning(logs.files[interval.file], interval.row, "",
                           fmt::format("hole {}: {} at {} to {} is out of order; {}", hole.id,
-                                      logs.units[before[i].unit], interval.from, interval.to,
-                                      none ? "unknown there" : "taken as " + logs.units[interval.unit]));
+                                      logs.units[interval.unit], interval.from, interval.to,
+                                      none ? "unknown there" : "taken as " + logs.units[absorber]));
+        interval.unit = absorber;
     }
 }
 

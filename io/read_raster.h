@@ -16,8 +16,8 @@ struct Raster {
     std::array<double, 6> to_map{0, 1, 0,
                                  0, 0, 1};  // map x = g0 + column·g1 + row·g2, y = g3 + column·g4 + row·g5;
                                             // columns and rows count from the outer corner of the first cell
-    std::vector<double> heights;  // row by row; NaN = no data
-    std::string crs;              // as WKT; may be empty
+    std::vector<double> heights;            // row by row; NaN = no data
+    std::string crs;                        // as WKT; may be empty
 
     //! Bilinear between cell centres, constant over the outermost half cell; nullopt outside and where a cell
     //! with a share in the value has no data.
