@@ -32,7 +32,7 @@ constexpr std::int32_t kNoTriangle = -1;  // an infinite or peeled face
 // Natural neighbour coordinates that miss their own place by more than this share of the neighbourhood are
 // the victims of rounding in a flat cell; barycentric ones are taken instead.
 constexpr double kCoordinateTolerance = 1e-6;
-constexpr double kOnHullEdge = 1e-7;  // a barycentric weight
+constexpr double kOnRim = 1e-7;  // height over length above an edge of the convex hull
 
 double distance(const Point2& a, const Point2& b) {
     return std::hypot(a.x - b.x, a.y - b.y);
@@ -99,6 +99,7 @@ void HoleTriangulation::triangulate(double hull_sliver) {
     peel_hull_slivers(hull_sliver);
     if (triangles_.empty()) return chain_collinear();
     link_hull();
+    link_rim();
 }
 
 // Face infos become triangle numbers, kNoTriangle where infinite or peeled.
@@ -154,6 +155,14 @@ void HoleTriangulation::link_hull() {
         site = next[site];
         if (site == first) break;
     }
+}
+
+void HoleTriangulation::link_rim() {
+    const Dt& dt = delaunay_->dt;
+    for (const auto face : dt.finite_face_handles())
+        for (int i = 0; i < 3; ++i)
+            if (dt.is_infinite(face->neighbor(i)))
+                rim_.push_back({face->vertex(dt.ccw(i))->info(), face->vertex(dt.cw(i))->info()});
 }
 
 void HoleTriangulation::chain_collinear() {
@@ -212,10 +221,11 @@ PlanLocation HoleTriangulation::closest_on_chain(const Point2& p) const {
     return {{i, j, j}, {1 - t, t, 0}, false};
 }
 
-PlanLocation HoleTriangulation::closest_on_hull(const Point2& p) const {
+PlanLocation HoleTriangulation::closest_on(std::span<const std::array<std::uint32_t, 2>> edges,
+                                           const Point2& p) const {
     PlanLocation best;
     double best_distance = std::numeric_limits<double>::infinity();
-    for (const auto& [i, j] : hull_edges_) {
+    for (const auto& [i, j] : edges) {
         const Point2 &a = sites_[i], &b = sites_[j];
         const double dx = b.x - a.x, dy = b.y - a.y;
         const double t = std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
@@ -225,6 +235,15 @@ PlanLocation HoleTriangulation::closest_on_hull(const Point2& p) const {
         best = {{i, j, j}, {1 - t, t, 0}, false};
     }
     return best;
+}
+
+Point2 HoleTriangulation::place_of(const PlanLocation& location) const {
+    Point2 p;
+    for (int k = 0; k < 3; ++k) {
+        p.x += location.weight[k] * sites_[location.site[k]].x;
+        p.y += location.weight[k] * sites_[location.site[k]].y;
+    }
+    return p;
 }
 
 PlanLocation HoleTriangulation::locate(const Point2& p) const {
@@ -238,7 +257,7 @@ PlanLocation HoleTriangulation::locate(const Point2& p) const {
         return barycentric(triangles_[static_cast<std::size_t>(face->info())], sites_, p);
     if (type == Dt::EDGE && face->neighbor(index)->info() != kNoTriangle)
         return barycentric(triangles_[static_cast<std::size_t>(face->neighbor(index)->info())], sites_, p);
-    return closest_on_hull(p);
+    return closest_on(hull_edges_, p);
 }
 
 std::vector<PlanLocation> HoleTriangulation::locate(std::span<const Point2> where) const {
@@ -247,46 +266,60 @@ std::vector<PlanLocation> HoleTriangulation::locate(std::span<const Point2> wher
     return result;
 }
 
-// There natural neighbour coordinates are those of the edge's ends, and their construction divides by
-// nothing.
-bool HoleTriangulation::on_hull_edge_or_site(const PlanLocation& location) const {
-    const Dt& dt = delaunay_->dt;
-    const auto face = delaunay_->hint;
-    for (int k = 0; k < 3; ++k) {
-        if (location.weight[k] == 1) return true;
-        if (location.weight[k] > kOnHullEdge) continue;
-        for (int i = 0; i < 3; ++i)
-            if (face->vertex(i)->info() == location.site[k] && dt.is_infinite(face->neighbor(i))) return true;
-    }
+// On the convex hull, natural neighbour coordinates are those of the edge's ends, and their construction divides by nothing.
+bool HoleTriangulation::on_rim(const Point2& p) const {
+    Dt& dt = delaunay_->dt;
+    Dt::Locate_type type;
+    int index;
+    const auto face = dt.locate(CgalPoint(p.x, p.y), type, index, delaunay_->hint);
+    delaunay_->hint = face;
+    if (type == Dt::VERTEX || type == Dt::OUTSIDE_CONVEX_HULL || dt.is_infinite(face)) return true;
+    for (int i = 0; i < 3; ++i)
+        if (dt.is_infinite(face->neighbor(i)) &&
+            height_over_length(sites_[face->vertex(dt.ccw(i))->info()],
+                               sites_[face->vertex(dt.cw(i))->info()], p) < kOnRim)
+            return true;
     return false;
 }
 
-void HoleTriangulation::natural_neighbours(const Point2& p, std::vector<SiteWeight>& weights) const {
-    weights.clear();
-    const PlanLocation location = locate(p);
-    const auto take_barycentric = [&] {
-        weights.clear();
-        for (int k = 0; k < 3; ++k)
-            if (location.weight[k] > 0) weights.push_back({location.site[k], location.weight[k]});
-    };
-    if (!location.inside || on_hull_edge_or_site(location)) return take_barycentric();
+void HoleTriangulation::find_natural_place(const Point2& p, NaturalPlace& place) const {
+    PlanLocation location = locate(p);
+    place.at = p;
+    place.beyond = {};
+    if (is_flat()) {
+        place.at = place_of(location);
+    } else if (!location.inside) {
+        const Point2 in_hull = delaunay_->dt.is_infinite(delaunay_->hint) ? place_of(closest_on(rim_, p)) : p;
+        location = closest_on(hull_edges_, in_hull);
+        place.at = place_of(location);
+        place.beyond = {in_hull.x - place.at.x, in_hull.y - place.at.y};
+    }
+    const bool at_site = std::ranges::count(location.weight, 1.0) > 0;
+    if (!is_flat() && !at_site && !on_rim(place.at) && find_coordinates(place)) return;
+    place.weights.clear();
+    for (int k = 0; k < 3; ++k)
+        if (location.weight[k] > 0) place.weights.push_back({location.site[k], location.weight[k]});
+}
 
+//! False where rounding spoils them.
+bool HoleTriangulation::find_coordinates(NaturalPlace& place) const {
+    place.weights.clear();
     std::vector<std::pair<Dt::Vertex_handle, double>> coordinates;
-    const auto found = CGAL::natural_neighbors_2(delaunay_->dt, CgalPoint(p.x, p.y),
+    const auto found = CGAL::natural_neighbors_2(delaunay_->dt, CgalPoint(place.at.x, place.at.y),
                                                  std::back_inserter(coordinates), delaunay_->hint);
-    if (!found.third || !(found.second > 0)) return take_barycentric();
+    if (!found.third || !(found.second > 0)) return false;
     double x = 0, y = 0, reach = 0;
     for (const auto& [vertex, area] : coordinates) {
         const double weight = area / found.second;
-        if (!(weight >= 0)) return take_barycentric();
+        if (!(weight >= 0)) return false;
         const Point2& site = sites_[vertex->info()];
-        x += weight * (site.x - p.x);
-        y += weight * (site.y - p.y);
-        reach = std::max(reach, weight * distance(site, p));
-        if (weight > 0) weights.push_back({vertex->info(), weight});
+        x += weight * (site.x - place.at.x);
+        y += weight * (site.y - place.at.y);
+        reach = std::max(reach, weight * distance(site, place.at));
+        if (weight > 0) place.weights.push_back({vertex->info(), weight});
     }
-    if (!(std::hypot(x, y) <= kCoordinateTolerance * reach)) return take_barycentric();
-    std::ranges::sort(weights, {}, &SiteWeight::site);
+    std::ranges::sort(place.weights, {}, &SiteWeight::site);
+    return std::hypot(x, y) <= kCoordinateTolerance * reach;
 }
 
 std::vector<std::vector<std::uint32_t>> HoleTriangulation::neighbours() const {

@@ -27,6 +27,15 @@ struct SiteWeight {
     double weight;
 };
 
+//! Sibson's natural neighbour coordinates (R. Sibson, 1981): weights >= 0 of sum 1 whose mean place is `at`. That is the
+//! place asked for, but outside the hull its closest hull point, and in a triangle that was peeled off the hull the closest
+//! point of the peeled hull; `beyond` then leads from there to the place (or hull point): the way over which a prediction
+//! may be extended with its gradient.
+struct NaturalPlace {
+    Point2 at, beyond;
+    std::vector<SiteWeight> weights;
+};
+
 //! Delaunay triangulation of the holes in plan. Any number of distinct sites from one up; collinear sites
 //! make a chain without triangles. Hull triangles flatter than a limit are
 //! left out, by default only those that rounding makes, so that holes in a row along the edge of a survey
@@ -36,7 +45,8 @@ class HoleTriangulation {
     static constexpr double kRoundingSliver = 1e-6;
 
     //! `hull_sliver`: hull triangles whose height over length is less are peeled off, and sites that all lie
-    //! in so thin a strip are taken as a chain along it. \pre at least one site, all distinct.
+    //! in so thin a strip are taken as a chain along it.
+    //! \pre at least one site, all distinct.
     explicit HoleTriangulation(std::vector<Point2> sites, double hull_sliver = kRoundingSliver);
     ~HoleTriangulation();
 
@@ -51,15 +61,13 @@ class HoleTriangulation {
 
     std::vector<PlanLocation> locate(std::span<const Point2> where) const;
 
-    //! Sibson's natural neighbour coordinates (R. Sibson, 1981) of each place; outside the hull those of its
-    //! closest hull point. `visit(i, weights)` is called once for each place, in any order, from one thread.
+    //! The natural neighbours of each place; `visit(i, place)` is called once for each, in any order, from one thread.
     template <class Visit>
-    void for_each_natural_neighbours(std::span<const Point2> where, Visit&& visit) const {
-        const std::vector<std::uint32_t> order = walking_order(where);
-        std::vector<SiteWeight> weights;
-        for (const std::uint32_t i : order) {
-            natural_neighbours(where[i], weights);
-            visit(i, std::span<const SiteWeight>(weights));
+    void for_each_natural_place(std::span<const Point2> where, Visit&& visit) const {
+        NaturalPlace place;
+        for (const std::uint32_t i : walking_order(where)) {
+            find_natural_place(where[i], place);
+            visit(i, static_cast<const NaturalPlace&>(place));
         }
     }
 
@@ -71,18 +79,22 @@ class HoleTriangulation {
     void triangulate(double hull_sliver);
     void peel_hull_slivers(double hull_sliver);
     void link_hull();
+    void link_rim();
     void chain_collinear();
     std::vector<std::uint32_t> walking_order(std::span<const Point2> where) const;
     PlanLocation locate(const Point2& p) const;
     double along_axis(const Point2& p) const;
     PlanLocation closest_on_chain(const Point2& p) const;
-    PlanLocation closest_on_hull(const Point2& p) const;
-    bool on_hull_edge_or_site(const PlanLocation& location) const;
-    void natural_neighbours(const Point2& p, std::vector<SiteWeight>& weights) const;
+    PlanLocation closest_on(std::span<const std::array<std::uint32_t, 2>> edges, const Point2& p) const;
+    Point2 place_of(const PlanLocation& location) const;
+    bool on_rim(const Point2& p) const;
+    bool find_coordinates(NaturalPlace& place) const;
+    void find_natural_place(const Point2& p, NaturalPlace& place) const;
 
     std::vector<Point2> sites_;
     std::vector<std::array<std::uint32_t, 3>> triangles_;
     std::vector<std::array<std::uint32_t, 2>> hull_edges_;
+    std::vector<std::array<std::uint32_t, 2>> rim_;  // edges of the convex hull, before peeling
     Point2 axis_start_, axis_;  // of flat sites: a far end and the unit vector towards the other
     std::unique_ptr<Delaunay> delaunay_;
 };

@@ -42,32 +42,37 @@ std::vector<Point2> NaturalNeighbour::gradients(const SiteField& field) const {
     return gradient;
 }
 
-// Notation of Sibson 1981: Z0 the C0 interpolant, xi the blend of the sites' tangent planes.
-double NaturalNeighbour::blend(const Point2& p, std::span<const SiteWeight> weights, const SiteField& field,
+// Notation of Sibson 1981: z0 the C0 interpolant, xi the blend of the sites' tangent planes.
+double NaturalNeighbour::blend(const NaturalPlace& place, const SiteField& field,
                                const std::vector<Point2>& gradient) const {
     const auto& sites = holes_->sites();
-    double share = 0, z0 = 0, xi = 0, over_r = 0, times_r = 0, times_r2 = 0;
+    double share = 0, z0 = 0, xi = 0, over_r = 0, times_r = 0, times_r2 = 0, rise = 0;
     double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const auto& [site, weight] : weights) {
+    for (const auto& [site, weight] : place.weights) {
         if (!has_say(field, site)) continue;
-        const double dx = p.x - sites[site].x, dy = p.y - sites[site].y, r = std::hypot(dx, dy);
+        const double dx = place.at.x - sites[site].x, dy = place.at.y - sites[site].y, r = std::hypot(dx, dy);
         const double value = field.value[site];
-        if (r == 0 || weights.size() == 1) return value;
+        const Point2& slope = gradient[site];
         share += weight;
+        rise += weight * (slope.x * place.beyond.x + slope.y * place.beyond.y);
+        low = std::min(low, value), high = std::max(high, value);
+        if (r == 0) return value + slope.x * place.beyond.x + slope.y * place.beyond.y;
         z0 += weight * value;
-        xi += weight / r * (value + gradient[site].x * dx + gradient[site].y * dy);
+        xi += weight / r * (value + slope.x * dx + slope.y * dy);
         over_r += weight / r;
         times_r += weight * r;
         times_r2 += weight * r * r;
-        low = std::min(low, value), high = std::max(high, value);
     }
     if (share == 0) return 0;
+    if (low == high) return low + rise / share;
     z0 /= share;
     xi /= over_r;
     const double alpha = times_r / over_r, beta = times_r2 / share;
     const double slack = (high - low) / 2;
-    if (low > 0) low = std::max(low - slack, low / 2) + slack;
-    return std::clamp((alpha * z0 + beta * xi) / (alpha + beta), low - slack, high + slack);
+    const double lowest = low > 0 ? std::max(low - slack, low / 2) : low - slack;
+    const double value =
+        std::clamp((alpha * z0 + beta * xi) / (alpha + beta), lowest, high + slack) + rise / share;
+    return low > 0 ? std::max(value, low / 2) : value;
 }
 
 std::vector<std::vector<double>> NaturalNeighbour::predict(std::span<const Point2> where,
@@ -75,9 +80,8 @@ std::vector<std::vector<double>> NaturalNeighbour::predict(std::span<const Point
     std::vector<std::vector<Point2>> gradient;
     for (const SiteField& field : fields) gradient.push_back(gradients(field));
     std::vector<std::vector<double>> result(fields.size(), std::vector<double>(where.size()));
-    holes_->for_each_natural_neighbours(where, [&](std::size_t i, std::span<const SiteWeight> weights) {
-        for (std::size_t f = 0; f < fields.size(); ++f)
-            result[f][i] = blend(where[i], weights, fields[f], gradient[f]);
+    holes_->for_each_natural_place(where, [&](std::size_t i, const NaturalPlace& place) {
+        for (std::size_t f = 0; f < fields.size(); ++f) result[f][i] = blend(place, fields[f], gradient[f]);
     });
     return result;
 }

@@ -167,8 +167,11 @@ LayerModel build_layer_model(const Survey& survey, const LayerModelOptions& opti
     const bool bare = model.spacing == 0;
     const auto outline =
         bare ? holes : std::make_shared<const HoleTriangulation>(model.columns.sites, kPinchHullSliver);
+    // Predictions by natural neighbours keep off the flat triangles along the hull too; the linear ones are what they are.
+    const bool smooth = options.interpolator == InterpolatorKind::NaturalNeighbour;
+    const auto sites = smooth && !outline->is_flat() ? outline : holes;
     const ThicknessField field(outline, model.columns.thickness, options.pinch_out,
-                               make_interpolator(options.interpolator, holes));
+                               make_interpolator(options.interpolator, sites));
     const bool beyond_hull = options.footprint || !bare;
     PlanLines lines = pinch_lines(field, beyond_hull ? reach_beyond_hull(footprint, model.columns.sites) : 0);
     if (bare) lines = merged(std::move(lines), cut_triangulation_edges(field));
@@ -186,7 +189,7 @@ LayerModel build_layer_model(const Survey& survey, const LayerModelOptions& opti
 
     report(options, "predicting horizons", 0);
     const std::vector<Point2> where = plan_points(model.plan.surface);
-    std::vector<double> ground = ground_at(where, model, holes, options);
+    std::vector<double> ground = ground_at(where, model, sites, options);
     set_horizons(model, std::move(ground), field.predict(where), thinnest);
     report(options, "predicting horizons", 1);
     return model;
