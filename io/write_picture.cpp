@@ -21,7 +21,7 @@ using Vec = OpenMesh::Vec3d;
 
 constexpr double kSharpCosine = 0.766;    // faces that meet at more than 40 degrees are shaded apart
 constexpr double kDrawnHeight = 0.45;     // of the horizontal size: what the automatic exaggeration aims at
-constexpr double kPinAboveGround = 0.03;  // of the horizontal size
+constexpr double kPinAboveGround = 0.02;  // of the horizontal size
 constexpr Rgb kPinColor{60, 60, 66};
 
 // The model as drawn: heights exaggerated, layers pulled apart.
@@ -172,16 +172,19 @@ void draw_layer(PictureCanvas& canvas, const TriMesh& mesh, const std::vector<Ve
     }
 }
 
+Vec pin_head(const Scene& scene, const PictureHole& hole) {
+    const Vec collar(hole.collar.x, hole.collar.y, hole.collar.z);
+    return scene.place(collar, 0) + Vec(0, 0, kPinAboveGround * scene.horizontal_size());
+}
+
 void draw_pins(PictureCanvas& canvas, const Scene& scene, const Eye& eye, const Frame& frame,
                const PictureOptions& options) {
     if (options.holes.empty()) return;
     const int part = canvas.add_part(kPinColor);
-    const double stick_out = kPinAboveGround * scene.horizontal_size(), width = 3.6 * options.height / 1000.0;
+    const double width = 2.6 * options.height / 1000.0;
     for (const auto& hole : options.holes) {
-        const Vec collar(hole.collar.x, hole.collar.y, hole.collar.z),
-            bottom(hole.collar.x, hole.collar.y, hole.bottom);
-        const Vec head = scene.place(collar, 0) + Vec(0, 0, stick_out);
-        const auto top = frame.point(eye.see(head));
+        const Vec bottom(hole.collar.x, hole.collar.y, hole.bottom);
+        const auto top = frame.point(eye.see(pin_head(scene, hole)));
         const auto base = frame.point(eye.see(scene.place(bottom, scene.layers.size() - 1)));
         canvas.draw_pole(top.x, top.y, base.y, top.depth, base.depth, width, part);
         canvas.draw_ball(top, 1.5 * width, part);
@@ -207,7 +210,9 @@ void write_picture(const std::filesystem::path& png, std::span<const LayerSolid>
                                  rgb_from_text(layer->unit.color)});
 
     const auto points = seen_points(scene, eye);
-    const Frame frame = fit(points, options, legend_width(labels, options.width, options.height));
+    auto to_fit = points;
+    for (const auto& hole : options.holes) to_fit.push_back({eye.see(pin_head(scene, hole))});
+    const Frame frame = fit(to_fit, options, legend_width(labels, options.width, options.height));
     labels.pixels_along = frame.scale;
     labels.pixels_up = frame.scale * scene.exaggeration * eye.up[2];
 

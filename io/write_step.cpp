@@ -15,7 +15,9 @@
 #include <StepBasic_ConversionBasedUnitAndLengthUnit.hxx>
 #include <StepBasic_MeasureWithUnit.hxx>
 #include <StepBasic_Product.hxx>
+#include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
+#include <StepData_StepWriter.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopoDS.hxx>
@@ -209,6 +211,16 @@ void finish_model(const Handle(StepData_StepModel) & model, const StepOptions& o
     header.SetOriginatingSystem(text("Stratareeb"));
 }
 
+// OpenCASCADE's own 12 digits turn a wall of half a kilometre out of its plane by more than the tolerance, and FreeCAD
+// then calls the solid invalid: numbers are written in full.
+void print(const Handle(XSControl_WorkSession) & session, const Handle(StepData_StepModel) & model,
+           std::ostream& stream) {
+    StepData_StepWriter text(model);
+    text.FloatWriter().SetFormat("%.16E");
+    text.SendModel(Handle(StepData_Protocol)::DownCast(session->Protocol()));
+    text.Print(stream);
+}
+
 const char* occt_unit(const std::string& length_unit) {
     if (length_unit == "m") return "M";
     if (length_unit == "ft" || length_unit == "us-ft") return "FT";
@@ -242,11 +254,9 @@ StepReport write(const std::filesystem::path& path, std::span<const LayerSolid> 
     writer.SetMaterialMode(false);
     if (!writer.Transfer(document, STEPControl_AsIs))
         throw GeometryError(fmt::format("{}: OpenCASCADE can't turn the solids into STEP", path.string()));
-    finish_model(writer.ChangeWriter().Model(), options);
-    replace_aside(path, [&](const std::filesystem::path& temporary) {
-        if (writer.Write(temporary.string().c_str()) != IFSelect_RetDone)
-            throw IoError(fmt::format("{}: can't be written in full; is the disk full?", path.string()));
-    });
+    const Handle(StepData_StepModel) model = writer.ChangeWriter().Model();
+    finish_model(model, options);
+    write_aside(path, [&](std::ostream& stream) { print(writer.ChangeWriter().WS(), model, stream); });
     return report;
 }
 

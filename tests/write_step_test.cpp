@@ -220,6 +220,13 @@ TEST_F(WriteStep, the_origin_is_on_record) {
     EXPECT_NE(bytes(file()).find("local origin 431250.5 5012345.25 -3 m"), std::string::npos);
 }
 
+TEST_F(WriteStep, numbers_are_written_in_full) {
+    // With 12 digits, a long wall leaves its plane by more than the tolerance, and FreeCAD calls the solid invalid.
+    write(file(), slab({.n = 1, .size = 1.0 / 3, .top = level(1000.0 / 7)}));
+    EXPECT_NE(bytes(file()).find("3.3333333333333331E-01"), std::string::npos);
+    EXPECT_NE(bytes(file()).find("1.4285714285714286E+02"), std::string::npos);
+}
+
 TEST_F(WriteStep, names_travel_in_any_script) {
     const std::vector<LayerSolid> layers{layer(slab({.n = 1}), "Schluff, weiß 粘土 'x' \\ 100 %")};
     write_step(file(), layers);
