@@ -92,5 +92,114 @@ TEST(UsersPrograms, meshlab_opens_our_ply_as_two_manifold_without_holes) {
     }
 }
 
+// One borehole set and what `build` needs to be told of it; paths relative to the source tree.
+struct BoreholeSet {
+    const char* name;
+    const char* arguments;
+};
+
+const BoreholeSet kShipped[] = {
+    {"sighthill", "examples/sighthill/intervals.csv --collars examples/sighthill/collars.csv"},
+    {"thesis_sample3", "examples/thesis_sample3.csv --spacing none"},
+};
+
+const BoreholeSet kOthers[] = {
+    {"thesis_sample1", "../shared/data/thesis/thesis_sample1_wide_noheader.csv --spacing none"},
+    {"thesis_sample2", "../shared/data/thesis/thesis_sample2_wide_noheader.csv --spacing none"},
+    {"wigan_depot", "../shared/data/ags_uk/wigan_depot/wide_noheader.csv --spacing none"},
+    {"teapot_dome", "../shared/data/teapot_dome/wide_shannon_noheader.csv --unit ft --spacing none"},
+    {"louisiana", "../shared/data/louisiana_north/wide_claycap_noheader.csv --spacing none"},
+};
+
+double millimetres(const std::string& unit) {
+    if (unit == "m") return 1000;
+    return unit == "ft" ? 304.8 : 1200.0 / 3937.0 * 1000.0;
+}
+
+// Bodies and volume of each unit, by its name in the STEP file.
+struct Bodies {
+    std::size_t count = 0;
+    double volume_mm3 = 0;
+};
+
+std::map<std::string, Bodies> bodies_of(const std::vector<FreeCadSolid>& solids) {
+    std::map<std::string, Bodies> result;
+    for (const auto& solid : solids) {
+        SCOPED_TRACE(solid.label);
+        EXPECT_TRUE(solid.shape_type == "Solid" && solid.solids == 1);
+        EXPECT_TRUE(solid.valid);
+        EXPECT_TRUE(solid.closed);
+        auto& bodies = result[solid.label.substr(0, solid.label.find(", body "))];
+        ++bodies.count;
+        bodies.volume_mm3 += solid.volume_mm3;
+    }
+    return result;
+}
+
+nlohmann::json build(const BoreholeSet& set, const std::string& formats, const test::fs::path& folder) {
+    const auto out = folder / "model";
+    const auto outcome =
+        test::run(std::string("cd ") + test::quoted(STRATAREEB_SOURCE_DIR) + " && " +
+                      test::quoted(STRATAREEB_PROGRAM) + " build " + set.arguments +
+                      " --quiet --overwrite --formats " + formats + " -o " + test::quoted(out),
+                  folder / "build.log");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+    return nlohmann::json::parse(test::text_of(out / "model.json"), nullptr, false);
+}
+
+void expect_freecad_agrees(const BoreholeSet& set, const std::string& unit) {
+    SCOPED_TRACE(set.name);
+    const TemporaryFolder folder(std::string("freecad_") + set.name);
+    const auto model = build(set, "step", folder.path());
+    ASSERT_TRUE(model.contains("units"));
+    auto bodies = bodies_of(test::open_in_freecad(folder.path() / "model" / "model.step", folder.path()));
+    for (const auto& layer : model["units"]) {
+        const auto found = bodies[layer["name"]];
+        EXPECT_EQ(found.count, layer["components"].get<std::size_t>()) << layer["name"];
+        const double expected = layer["volume"].get<double>() * std::pow(millimetres(unit), 3);
+        EXPECT_NEAR(found.volume_mm3, expected, 1e-6 * expected) << layer["name"];
+    }
+}
+
+// MeshLab keeps coordinates in float and prints six decimals: the volume of a thin layer is what that leaves of it.
+void expect_meshlab_agrees(const BoreholeSet& set) {
+    SCOPED_TRACE(set.name);
+    const TemporaryFolder folder(std::string("meshlab_") + set.name);
+    const auto model = build(set, "ply", folder.path());
+    ASSERT_TRUE(model.contains("units"));
+    for (const auto& layer : model["units"]) {
+        if (layer["volume"] == 0) continue;
+        SCOPED_TRACE(layer["name"].get<std::string>());
+        const auto file = folder.path() / "model" / layer["solid"].get<std::string>();
+        const auto report = test::open_in_meshlab(file, folder.path());
+        EXPECT_TRUE(report.two_manifold) << report.output;
+        EXPECT_EQ(report.holes, 0);
+        EXPECT_EQ(report.components, layer["components"].get<int>());
+        const double volume = layer["volume"];
+        EXPECT_NEAR(report.volume.value_or(0), volume, 1e-4 * volume);
+    }
+}
+
+TEST(UsersPrograms, freecad_agrees_with_build_on_the_shipped_boreholes) {
+    REQUIRE_FREECAD();
+    for (const auto& set : kShipped) expect_freecad_agrees(set, "m");
+}
+
+TEST(UsersPrograms, meshlab_agrees_with_build_on_the_shipped_boreholes) {
+    REQUIRE_MESHLAB();
+    for (const auto& set : kShipped) expect_meshlab_agrees(set);
+}
+
+TEST(UsersPrograms, freecad_and_meshlab_agree_with_build_on_more_boreholes) {
+    REQUIRE_FREECAD();
+    REQUIRE_MESHLAB();
+    if (!test::fs::exists(STRATAREEB_SOURCE_DIR "/../shared/data")) GTEST_SKIP() << "no ../shared/data";
+    for (const auto& set : kOthers) {
+        const bool is_in_feet = std::string(set.arguments).find("--unit ft") != std::string::npos;
+        expect_freecad_agrees(set, is_in_feet ? "ft" : "m");
+        expect_meshlab_agrees(set);
+    }
+}
+
 }  // namespace
 }  // namespace stratareeb
