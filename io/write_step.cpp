@@ -18,6 +18,8 @@
 #include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepData_StepWriter.hxx>
+#include <StepVisual_MechanicalDesignGeometricPresentationRepresentation.hxx>
+#include <StepVisual_StyledItem.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopoDS.hxx>
@@ -31,6 +33,7 @@
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <XSControl_WorkSession.hxx>
+#include <map>
 #include <mutex>
 #include <unordered_map>
 
@@ -188,6 +191,27 @@ StepReport add_layer(const Handle(TDocStd_Document) & document, const LayerSolid
     return report;
 }
 
+// OpenCASCADE appends the colours of bodies in the order of a map of addresses, which differs from run to run: each
+// block of a presentation and what follows it is put where its body comes in the file.
+void order_colors(const Handle(StepData_StepModel) & model) {
+    using Presentation = StepVisual_MechanicalDesignGeometricPresentationRepresentation;
+    std::vector<Handle(Standard_Transient)> others;
+    std::map<int, std::vector<Handle(Standard_Transient)>> blocks;  // by the number of the body coloured
+    auto* block = &others;
+    for (int i = 1; i <= model->NbEntities(); ++i) {
+        const auto presentation = Handle(Presentation)::DownCast(model->Value(i));
+        if (!presentation.IsNull()) {
+            const auto styled = Handle(StepVisual_StyledItem)::DownCast(presentation->ItemsValue(1));
+            block = &blocks[model->Number(styled->Item())];
+        }
+        block->push_back(model->Value(i));
+    }
+    model->ClearEntities();
+    for (const auto& entity : others) model->AddEntity(entity);
+    for (const auto& [body, entities] : blocks)
+        for (const auto& entity : entities) model->AddEntity(entity);
+}
+
 // What OpenCASCADE leaves to counters, clocks and its own idea of a name.
 void finish_model(const Handle(StepData_StepModel) & model, const StepOptions& options) {
     const auto text = [](const std::string& s) { return new TCollection_HAsciiString(s.c_str()); };
@@ -255,6 +279,7 @@ StepReport write(const std::filesystem::path& path, std::span<const LayerSolid> 
     if (!writer.Transfer(document, STEPControl_AsIs))
         throw GeometryError(fmt::format("{}: OpenCASCADE can't turn the solids into STEP", path.string()));
     const Handle(StepData_StepModel) model = writer.ChangeWriter().Model();
+    order_colors(model);
     finish_model(model, options);
     write_aside(path, [&](std::ostream& stream) { print(writer.ChangeWriter().WS(), model, stream); });
     return report;
