@@ -18,7 +18,11 @@
 #include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepData_StepWriter.hxx>
+#include <StepVisual_Colour.hxx>
+#include <StepVisual_ColourRgb.hxx>
 #include <StepVisual_MechanicalDesignGeometricPresentationRepresentation.hxx>
+#include <StepVisual_PreDefinedColour.hxx>
+#include <StepVisual_PreDefinedItem.hxx>
 #include <StepVisual_StyledItem.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
@@ -191,25 +195,39 @@ StepReport add_layer(const Handle(TDocStd_Document) & document, const LayerSolid
     return report;
 }
 
-// OpenCASCADE appends the colours of bodies in the order of a map of addresses, which differs from run to run: each
-// block of a presentation and what follows it is put where its body comes in the file.
+// A name for a colour by which colours can be sorted.
+std::string color_key(const Handle(StepVisual_Colour) & color) {
+    if (const auto rgb = Handle(StepVisual_ColourRgb)::DownCast(color); !rgb.IsNull())
+        return fmt::format("{} {} {}", rgb->Red(), rgb->Green(), rgb->Blue());
+    const auto named = Handle(StepVisual_PreDefinedColour)::DownCast(color);
+    return named.IsNull() || named->GetPreDefinedItem().IsNull()
+               ? std::string()
+               : named->GetPreDefinedItem()->Name()->ToCString();
+}
+
+// OpenCASCADE appends the colours of bodies in the order of a map of addresses, which differs from run to run.
+// Here colours come first, then each presentation and what follows it in the order of the bodies.
 void order_colors(const Handle(StepData_StepModel) & model) {
     using Presentation = StepVisual_MechanicalDesignGeometricPresentationRepresentation;
-    std::vector<Handle(Standard_Transient)> others;
-    std::map<int, std::vector<Handle(Standard_Transient)>> blocks;  // by the number of the body coloured
-    auto* block = &others;
+    using Entities = std::vector<Handle(Standard_Transient)>;
+    Entities ordered;
+    std::map<std::string, Entities> colors;
+    std::map<int, Entities> presentations;  // by the number of the body
+    Entities* block = &ordered;
     for (int i = 1; i <= model->NbEntities(); ++i) {
-        const auto presentation = Handle(Presentation)::DownCast(model->Value(i));
-        if (!presentation.IsNull()) {
-            const auto styled = Handle(StepVisual_StyledItem)::DownCast(presentation->ItemsValue(1));
-            block = &blocks[model->Number(styled->Item())];
-        }
-        block->push_back(model->Value(i));
+        const auto entity = model->Value(i);
+        if (const auto shown = Handle(Presentation)::DownCast(entity); !shown.IsNull())
+            block = &presentations[model->Number(
+                Handle(StepVisual_StyledItem)::DownCast(shown->ItemsValue(1))->Item())];
+        const auto color = Handle(StepVisual_Colour)::DownCast(entity);
+        (color.IsNull() ? *block : colors[color_key(color)]).push_back(entity);
     }
+    for (const auto& [key, entities] : colors)
+        ordered.insert(ordered.end(), entities.begin(), entities.end());
+    for (const auto& [body, entities] : presentations)
+        ordered.insert(ordered.end(), entities.begin(), entities.end());
     model->ClearEntities();
-    for (const auto& entity : others) model->AddEntity(entity);
-    for (const auto& [body, entities] : blocks)
-        for (const auto& entity : entities) model->AddEntity(entity);
+    for (const auto& entity : ordered) model->AddEntity(entity);
 }
 
 // What OpenCASCADE leaves to counters, clocks and its own idea of a name.
