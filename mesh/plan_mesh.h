@@ -27,8 +27,9 @@ struct PlanMeshOptions {
 };
 
 //! Constrained Delaunay triangulation of the footprint with the holes as vertices and the lines as edges,
-//! refined to spacing and quality (J. Ruppert 1995; L. Rineau and M. Yvinec, CGAL Mesh_2). \throw
-//! InvalidInput if the footprint is unsound; GeometryError if rounding folds a triangle over.
+//! refined to spacing and quality (J. Ruppert 1995; L. Rineau and M. Yvinec, CGAL Mesh_2).
+//! \pre the footprint came from checked_footprint or one of the functions that make one.
+//! \throw GeometryError if rounding folds a triangle over.
 PlanMesh build_plan_mesh(const Footprint& footprint, const std::vector<Point2>& holes, const PlanLines& lines,
                          const PlanMeshOptions& options = {});
 
