@@ -27,12 +27,12 @@ double available_memory() {
 }  // namespace
 
 double estimated_memory(double plan_triangles, std::size_t layers, bool all_solids) {
-    // Measured on runs of 0.1 to 4 million plan triangles: plan and fields, then the solids held and one
-    // being checked.
-    constexpr double kPlanBytes = 600, kFieldBytes = 16, kSolidBytes = 420, kCheckBytes = 900;
+    // Measured on 0.1 to 2 million plan triangles in 10 layers, with and without all solids held: plan and fields, the
+    // solids that are held, and the checks of one of them.
+    constexpr double kPlanBytes = 350, kFieldBytes = 12, kSolidBytes = 260, kCheckBytes = 400;
     const double solids = all_solids ? static_cast<double>(layers) : 1;
-    return plan_triangles * (kPlanBytes + kFieldBytes * static_cast<double>(layers) +
-                             2 * (kSolidBytes * solids + kCheckBytes));
+    return plan_triangles *
+           (kPlanBytes + kFieldBytes * static_cast<double>(layers) + kSolidBytes * solids + kCheckBytes);
 }
 
 void check_memory(double plan_triangles, std::size_t layers, bool all_solids) {

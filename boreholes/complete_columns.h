@@ -32,7 +32,8 @@ struct CompletionOptions {
 //! that and the prediction. A layer that no hole drills through takes its "at least" thicknesses as they are.
 //! Where a hole gives the elevations at both ends of an unknown part, the predicted thicknesses are scaled to
 //! fit. Surveys of contact points predict elevations, horizon by horizon, keep the contacts and order the
-//! rest between them. \throw InvalidInput if there is no hole or no ground anywhere.
+//! rest between them.
+//! \throw InvalidInput if there is no hole or no ground anywhere.
 CompleteColumns complete_columns(const Survey& survey, const CompletionOptions& options = {});
 
 }  // namespace stratareeb

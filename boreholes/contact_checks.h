@@ -15,7 +15,8 @@ void drop_faults(ContactSet& contacts, Audit& audit);
 
 //! Look for pairs of points of one unit that are close in plan (0.002 of the extent) yet on a face steeper
 //! than 10 : 1 and higher than 0.02 of all heights. Stray ones (at most 0.5 % of all points, at most 100)
-//! lose the point that fits its neighbours worse. \throw InvalidInput otherwise, naming a place and both
+//! lose the point that fits its neighbours worse.
+//! \throw InvalidInput otherwise, naming a place and both
 //! heights: no height field can hold such a surface.
 void refuse_overhangs(ContactSet& contacts, Audit& audit);
 

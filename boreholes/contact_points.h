@@ -42,7 +42,8 @@ struct ContactOptions {
 //! the first surface being horizon 0; the last unit has no base and is no layer. Where a ground is known or
 //! will be, a first unit "overburden" lies between it and the first surface. Bases: n layers under a ground
 //! that must be known from elsewhere. Order: of points at one place, then of nearest neighbours. Points of
-//! faults (a name with the word fault) are left out. \throw InvalidInput if a surface has two clearly
+//! faults (a name with the word fault) are left out.
+//! \throw InvalidInput if a surface has two clearly
 //! different heights at nearly one place (an overhang, fold or fault).
 Survey build_contact_survey(ContactSet contacts, const ContactOptions& options, Audit& audit);
 

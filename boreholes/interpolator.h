@@ -34,7 +34,8 @@ enum class InterpolatorKind {
     NaturalNeighbour,  // Sibson's C1 interpolant (R. Sibson, 1981), smooth away from the sites
 };
 
-//! "linear" or "natural". \throw InvalidInput for any other name.
+//! "linear" or "natural".
+//! \throw InvalidInput for any other name.
 InterpolatorKind interpolator_kind(std::string_view name);
 
 std::unique_ptr<Interpolator> make_interpolator(InterpolatorKind kind,

@@ -12,7 +12,8 @@ struct PinchOutRule {
     double fraction = 0.5;
 };
 
-//! "at-hole" (0), "quarter", "third" or "half". \throw InvalidInput for any other name.
+//! "at-hole" (0), "quarter", "third" or "half".
+//! \throw InvalidInput for any other name.
 PinchOutRule pinch_out_rule(std::string_view name);
 
 }  // namespace stratareeb

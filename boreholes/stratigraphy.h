@@ -28,7 +28,8 @@ struct StratigraphyOptions {
 //! unknown, its two ends are contacts; if no unit lies between, the two neighbours are at least as thick as
 //! seen. A log that begins below the ground has a gap on top; if more than a fifth of the holes do, a first
 //! unit "overburden" holds it. Elevations are known where the hole's ground is. Holes without intervals keep
-//! their ground. \throw InvalidInput for more than 500 units: the unit column then is no unit column.
+//! their ground.
+//! \throw InvalidInput for more than 500 units: the unit column then is no unit column.
 Survey build_survey(LogSet logs, const StratigraphyOptions& options, Audit& audit);
 
 }  // namespace stratareeb

@@ -20,7 +20,8 @@ struct PartData {
     std::vector<Point3> normals;  // one a vertex; readers leave it empty
 };
 
-//! "#rrggbb" as three bytes; light grey for an empty text. \throw InvalidInput for anything else
+//! "#rrggbb" as three bytes; light grey for an empty text.
+//! \throw InvalidInput for anything else
 Rgb rgb_from_text(const std::string& color);
 std::string text_from_rgb(const Rgb& color);
 

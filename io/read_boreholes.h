@@ -50,7 +50,8 @@ struct BoreholeTable {
 
 //! Read boreholes from tables of one layout: text, spreadsheet, GeoPackage or any other source that OGR
 //! opens, each "FILE" or "FILE:SHEET". Layout and columns are recognised unless stated. docs/boreholes.md
-//! says what is understood and what is done about faults in the data. \throw InvalidInput with every row that
+//! says what is understood and what is done about faults in the data.
+//! \throw InvalidInput with every row that
 //! can't be used; IoError if a source can't be opened.
 BoreholeTable read_boreholes(const std::vector<std::string>& sources,
                              const ReadBoreholesOptions& options = {});

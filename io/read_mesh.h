@@ -11,7 +11,8 @@ namespace stratareeb {
 
 //! Read any mesh, sound or not: PLY (ASCII and binary), OBJ, STL (ASCII and binary), OFF, GLB and 3MF, by
 //! extension. Polygons become fans of triangles. STL corners are welded where they are exactly equal. Parts
-//! come one after another. GLB, which is y up, is turned z up. \throw IoError if the file can't be read or
+//! come one after another. GLB, which is y up, is turned z up.
+//! \throw IoError if the file can't be read or
 //! has an unknown extension; InvalidInput naming line or offset if its content is damaged: cut off, an index
 //! out of range, a coordinate that is not a finite number.
 TriangleSoup read_mesh(const std::filesystem::path& file);

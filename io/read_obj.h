@@ -10,7 +10,8 @@ namespace stratareeb {
 
 //! Read an OBJ file: one part for each object ("o" line) that has faces, with the vertices it uses; relative
 //! indices, texture and normal indices, polygons as fans. Part colours come from the diffuse colours of the
-//! MTL file. \throw IoError, InvalidInput as read_mesh does
+//! MTL file.
+//! \throw IoError, InvalidInput as read_mesh does
 std::vector<PartData> read_obj(const std::filesystem::path& file);
 
 }  // namespace stratareeb

@@ -8,7 +8,8 @@
 namespace stratareeb {
 
 //! Read an OFF file in text form: OFF, COFF, NOFF, CNOFF and STOFF headers; what follows x y z in a vertex
-//! line is skipped, polygons become fans. \throw IoError, InvalidInput as read_mesh does
+//! line is skipped, polygons become fans.
+//! \throw IoError, InvalidInput as read_mesh does
 PartData read_off(const std::filesystem::path& file);
 
 }  // namespace stratareeb

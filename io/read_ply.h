@@ -8,8 +8,8 @@
 namespace stratareeb {
 
 //! Read a PLY file: ASCII or binary of either byte order; properties in any order and of any type, unknown
-//! ones skipped; polygons as fans. A colour that all vertices share becomes the colour of the part. \throw
-//! IoError, InvalidInput as read_mesh does
+//! ones skipped; polygons as fans. A colour that all vertices share becomes the colour of the part.
+//! \throw IoError, InvalidInput as read_mesh does
 PartData read_ply(const std::filesystem::path& file);
 
 }  // namespace stratareeb

@@ -29,7 +29,8 @@ struct Raster {
 };
 
 //! Read the first band of any raster that GDAL opens (GeoTIFF, ESRI ASCII grid, …), with its scale and offset
-//! applied. \throw IoError if it can't be opened or read, InvalidInput if it has no cells, no place on the
+//! applied.
+//! \throw IoError if it can't be opened or read, InvalidInput if it has no cells, no place on the
 //! map or over 10⁹ cells.
 Raster read_raster(const std::string& path);
 

@@ -12,7 +12,8 @@ namespace stratareeb {
 //! or whatever OGR opens: every sheet of an XLSX, XLS or ODS workbook, every layer of a GeoPackage, a
 //! shapefile, or a connection string such as "PG:…". `file.xlsx:Sheet` names one sheet or layer. Row numbers
 //! are those of the file. A layer of points without columns of its own for x and y gets them from its
-//! geometry. \throw IoError if the source can't be opened or has no table; InvalidInput if it is no sensible
+//! geometry.
+//! \throw IoError if the source can't be opened or has no table; InvalidInput if it is no sensible
 //! table.
 std::vector<TextTable> read_tables(const std::string& source);
 

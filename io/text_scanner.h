@@ -8,7 +8,8 @@
 
 namespace stratareeb {
 
-//! All bytes of a file. \throw IoError if it can't be read
+//! All bytes of a file.
+//! \throw IoError if it can't be read
 std::string file_content(const std::filesystem::path& file);
 
 //! Words and numbers of a text, in any locale, with the line for messages. Works line by line: a word never
@@ -29,7 +30,8 @@ class TextScanner {
     std::string_view rest_of_line();
     void next_line() { rest_of_line(); }
 
-    //! Numbers out of words. \throw InvalidInput naming file and line if it is none, or not finite
+    //! Numbers out of words.
+    //! \throw InvalidInput naming file and line if it is none, or not finite
     double number(std::string_view word) const;
     long long integer(std::string_view word) const;
 

@@ -18,7 +18,8 @@ namespace stratareeb {
 //! Intervals: hole_id, from, to, unit down to the first unknown cell, and collars (hole_id, x, y, ground) in
 //! `collar_table(file)`. The last interval of a log reads back as "at least" too.
 //! Points: x, y, z, unit for the top of each layer, "base" for the base of the lowest, where the hole knows
-//! it. \throw IoError if the extension is unknown or a file can't be written; InvalidInput for the layout
+//! it.
+//! \throw IoError if the extension is unknown or a file can't be written; InvalidInput for the layout
 //! Samples, or if a hole without a ground is to be written as intervals.
 void write_boreholes(const std::filesystem::path& file, const Survey& survey,
                      TableLayout layout = TableLayout::Wide);

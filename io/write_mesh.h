@@ -21,7 +21,8 @@ struct MeshPart {
 //! one is whole. OBJ (with an MTL file beside it), GLB and 3MF keep parts apart by name and colour; PLY and
 //! OFF hold all parts with coloured vertices, STL without. PLY, OBJ and OFF keep every bit of the
 //! coordinates; STL, GLB and 3MF are float, GLB and 3MF around the middle of the box. Vertex normals are
-//! those of the mesh; where none are set, they are computed. \throw IoError if the extension is unknown or
+//! those of the mesh; where none are set, they are computed.
+//! \throw IoError if the extension is unknown or
 //! the file can't be written; InvalidInput for a colour that is none
 void write_meshes(const std::filesystem::path& file, std::span<const MeshPart> parts);
 

@@ -9,7 +9,8 @@
 namespace stratareeb {
 
 //! Write an OFF file in text form with all parts, one after another, and a colour per face; coordinates keep
-//! every bit. \throw IoError if it can't be written
+//! every bit.
+//! \throw IoError if it can't be written
 void write_off(const std::filesystem::path& file, std::span<const PartData> parts);
 
 }  // namespace stratareeb

@@ -32,7 +32,8 @@ struct PictureOptions {
 
 //! Draw layer solids as a PNG: parallel projection, soft light, dark outlines, legend, scale bars and north
 //! arrow. Needs no screen and no graphics card. The same input gives the same bytes (with the same fonts
-//! installed). \throw InvalidInput if there is nothing to draw or an option is out of range; IoError if the
+//! installed).
+//! \throw InvalidInput if there is nothing to draw or an option is out of range; IoError if the
 //! file can't be written.
 void write_picture(const std::filesystem::path& png, std::span<const LayerSolid> solids,
                    const PictureOptions& options = {});

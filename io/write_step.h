@@ -26,7 +26,8 @@ struct StepReport {
 //! Write one STEP solid (AP214, boundary representation) per body, named after its unit (", body 2" and so on
 //! where a layer has several) and in the unit's colour. Faces are planar: coplanar neighbouring triangles
 //! become one polygon. A shell that faces inwards becomes a cavity of the body around it. Absent layers are
-//! left out. The file appears whole or not at all; the same input gives the same bytes. \throw InvalidInput
+//! left out. The file appears whole or not at all; the same input gives the same bytes.
+//! \throw InvalidInput
 //! if no layer has a body, a surface is open, or the unit is not one of the three;
 //!        GeometryError where a body can't be made; IoError if the file can't be written.
 StepReport write_step(const std::filesystem::path& path, std::span<const LayerSolid> solids,

@@ -17,7 +17,8 @@ struct OutputTable {
 };
 
 //! Write a table with a header row as .csv (RFC 4180, UTF-8, decimal point) or .xlsx. A file that is there is
-//! replaced once the new one is whole. \throw IoError if the extension is another or the file can't be
+//! replaced once the new one is whole.
+//! \throw IoError if the extension is another or the file can't be
 //! written.
 void write_table(const std::filesystem::path& file, const OutputTable& table);
 

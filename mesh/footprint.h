@@ -12,7 +12,8 @@ namespace stratareeb {
 //! holes clockwise.
 using Footprint = std::vector<std::vector<Point2>>;
 
-//! The hull of the holes. \throw InvalidInput if all holes stand in a line (needs a box or a polygon).
+//! The hull of the holes.
+//! \throw InvalidInput if all holes stand in a line (needs a box or a polygon).
 Footprint hull_footprint(const HoleTriangulation& holes);
 
 //! The bounding box of the holes, wider by `margin` on each side.

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <numbers>
+#include <set>
 
 #include "boreholes/errors.h"
 #include "boreholes/thickness_field.h"
@@ -83,10 +85,24 @@ double reach_beyond_hull(const Footprint& footprint, const std::vector<Point2>& 
     return 2 * (reach + extent);
 }
 
+//! Pieces of both, each once: clipped at the outline from two ends, one piece would end in two places but for
+//! rounding.
 PlanLines merged(PlanLines a, const PlanLines& b) {
-    const auto first = static_cast<std::uint32_t>(a.points.size());
-    a.points.insert(a.points.end(), b.points.begin(), b.points.end());
-    for (const auto& [i, j] : b.segments) a.segments.push_back({i + first, j + first});
+    std::map<std::pair<double, double>, std::uint32_t> known;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> joined;
+    for (std::uint32_t i = 0; i < a.points.size(); ++i)
+        known.emplace(std::pair(a.points[i].x, a.points[i].y), i);
+    for (const auto& [i, j] : a.segments) joined.insert(std::minmax(i, j));
+    std::vector<std::uint32_t> number;
+    for (const Point2& p : b.points) {
+        const auto next = static_cast<std::uint32_t>(a.points.size());
+        const auto [it, fresh] = known.emplace(std::pair(p.x, p.y), next);
+        if (fresh) a.points.push_back(p);
+        number.push_back(it->second);
+    }
+    for (const auto& [i, j] : b.segments)
+        if (joined.insert(std::minmax(number[i], number[j])).second)
+            a.segments.push_back({number[i], number[j]});
     return a;
 }
 

@@ -21,7 +21,8 @@ struct PlanarBody {
 
 //! The bodies of a closed surface, in the order of their first triangle: connected shells that face outwards,
 //! each with the inward-facing shells that lie in it (in the smallest body that holds them, where several
-//! do). \throw as planar_regions; GeometryError if an inward-facing shell lies in no body.
+//! do).
+//! \throw as planar_regions; GeometryError if an inward-facing shell lies in no body.
 std::vector<PlanarBody> planar_bodies(const TriMesh& mesh, const PlanarRegionOptions& options = {});
 
 }  // namespace stratareeb

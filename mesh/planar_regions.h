@@ -30,8 +30,8 @@ struct PlanarRegionOptions {
 
 //! Merge coplanar neighbouring triangles of a closed surface into planar polygons, large triangles first.
 //! A region whose border would touch itself is cut into regions without holes. Two regions that meet along a
-//! side use the same vertices there. \pre The mesh has no deleted elements (garbage is collected). \throw
-//! InvalidInput if the surface is open, GeometryError at a triangle without area; both name the place.
+//! side use the same vertices there. \pre The mesh has no deleted elements (garbage is collected).
+//! \throw InvalidInput if the surface is open, GeometryError at a triangle without area; both name the place.
 std::vector<PlanarRegion> planar_regions(const TriMesh& mesh, const PlanarRegionOptions& options = {});
 
 }  // namespace stratareeb

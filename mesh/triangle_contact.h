@@ -18,7 +18,8 @@ class TriangleContact {
     bool is_degenerate(std::uint32_t triangle) const;
 
     //! Do two triangles meet anywhere but in the vertices and edges that they share by index? Corners that
-    //! coincide without sharing an index count as meeting; so do copies of one triangle. \pre neither is
+    //! coincide without sharing an index count as meeting; so do copies of one triangle.
+    //! \pre neither is
     //! degenerate
     bool meet(std::uint32_t a, std::uint32_t b) const;
 

@@ -22,7 +22,8 @@ struct TriangleSoup {
 TriangleSoup triangle_soup(const TriMesh& mesh);
 
 //! The half-edge mesh of sound triangles: every edge has one or two of them, wound the same way, and every
-//! vertex one fan of them. Vertex and face indices stay as they are; normals are zero. \throw InvalidInput
+//! vertex one fan of them. Vertex and face indices stay as they are; normals are zero.
+//! \throw InvalidInput
 //! naming the first triangle, edge or vertex where that does not hold.
 TriMesh half_edge_mesh(const TriangleSoup& soup);
 
