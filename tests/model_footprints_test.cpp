@@ -102,6 +102,17 @@ TEST_P(Seeds, footprints_of_any_shape_carry_sound_models) {
     });
 }
 
+// Here pinch-out lines are edges of the triangulation: each must end in one place on the outline.
+TEST_P(Seeds, outlines_cut_the_bare_triangulation_and_its_pinch_out_lines_alike) {
+    for_each_seed([](Dice& dice, std::uint64_t seed) {
+        const auto survey_options = random_survey_options(dice, seed);
+        const Survey survey = random_survey(survey_options);
+        LayerModelOptions options{.pinch_out = {0}, .spacing = 0.0};
+        options.footprint = random_star(dice, survey_options.corner);
+        testing::expect_sound(build_layer_model(survey, options), survey);
+    });
+}
+
 TEST_P(Seeds, terrains_of_any_shape_carry_sound_models) {
     for_each_seed([](Dice& dice, std::uint64_t seed) {
         auto survey_options = random_survey_options(dice, seed + 1000);
