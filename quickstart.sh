@@ -15,7 +15,7 @@ cmake --preset release "${tests[@]}" >build/configure.log 2>&1 || { cat build/co
 cmake --build build --target stratareeb
 echo "== boreholes to layers"
 build/stratareeb build examples/sighthill/intervals.csv --collars examples/sighthill/collars.csv \
-    --formats ply,stl,glb,step,mlp -o out --overwrite
+    --formats ply,stl,glb,step,mlp,png -o out --overwrite
 
 cat <<'END'
 
@@ -24,6 +24,7 @@ Done. In out/:
   horizons/*.ply    the surfaces between them, 00 = ground
   model.mlp         all of it as a MeshLab project:   meshlab out/model.mlp
   model.step        named, coloured solids for CAD:   freecad out/model.step
+  model.png         a picture of it
   model.glb         for any glTF viewer
   model.json        volumes, areas, thickness, checks
 Your own boreholes:   build/stratareeb build TABLE -o DIR      (docs/boreholes.md says what a table looks like)

@@ -6,8 +6,14 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-build/stratareeb build examples/sighthill/intervals.csv --collars examples/sighthill/collars.csv --formats png --quiet -o "$folder/sighthill"
-build/stratareeb build examples/thesis_sample3.csv --formats png --quiet -o "$folder/thesis"
-for name in sighthill thesis; do
+draw() {  # NAME TABLE [OPTION…]
+    local name=$1
+    shift
+    build/stratareeb build "$@" --formats png --quiet -o "$folder/$name" >/dev/null
     cp "$folder/$name/model.png" "docs/images/$name.png"
-done
+}
+
+draw sighthill examples/sighthill/intervals.csv --collars examples/sighthill/collars.csv
+draw thesis examples/thesis_sample3.csv
+build/stratareeb sample -o "$folder/wells.csv" --holes 52 --layers 3 --pinch-outs >/dev/null
+draw sample "$folder/wells.csv"

@@ -3,7 +3,8 @@
 """Runs every stratareeb command that README.md and docs/*.md show: `docs_commands_test.py PROGRAM`.
 
 Shown means: a line in a block fenced as ```sh whose first word is stratareeb or build/stratareeb. The commands of a page
-run in order in one empty folder that has the examples in it. They must succeed, or exit as a comment says ("# exits 1").
+run in order in one empty folder that has the examples in it, and the files that it shows in blocks fenced as ```csv NAME.
+They must succeed, or exit as a comment says ("# exits 1").
 """
 import os
 import pathlib
@@ -31,6 +32,8 @@ def run_page(page, program):
         (place / "examples").symlink_to(ROOT / "examples")
         (place / "build").mkdir()
         (place / "build/stratareeb").symlink_to(program)
+        for name, text in re.findall(r"^```csv (\S+)\n(.*?)^```", page.read_text(), re.M | re.S):
+            (place / name).write_text(text)
         environment = {**os.environ, "PATH": f"{place / 'build'}:{os.environ['PATH']}"}
         for line, expected in shown_commands(page):
             run = subprocess.run(["bash", "-c", line], cwd=place, env=environment, capture_output=True, text=True,
