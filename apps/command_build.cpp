@@ -188,7 +188,7 @@ class Build {
                              ModelRecord& record) {
         const auto path = folder.add("model.json");
         record.files = folder.files();
-        const std::string json = model_json(model, survey, record);
+        std::string json = model_json(model, survey, record);
         write_aside(path, [&](std::ostream& stream) { stream << json; });
         return json;
     }

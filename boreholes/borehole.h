@@ -51,7 +51,7 @@ struct Borehole {
 struct Survey {
     std::vector<Unit> units;
     std::vector<Borehole> holes;
-    bool contact_points = false;  // holes are single contacts: predict elevations, not thicknesses
+    bool contact_points = false;    // holes are single contacts: predict elevations, not thicknesses
     std::string length_unit = "m";  // of x, y, z and thickness alike: "m", "ft" or "us-ft"
 };
 

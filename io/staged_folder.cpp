@@ -44,7 +44,7 @@ StagedFolder::~StagedFolder() {
 }
 
 fs::path StagedFolder::add(const std::string& relative) {
-    const fs::path file = staging_ / relative;
+    fs::path file = staging_ / relative;
     fs::create_directories(file.parent_path());
     files_.push_back(relative);
     return file;

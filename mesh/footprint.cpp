@@ -160,7 +160,8 @@ Footprint checked_footprint(Footprint footprint) {
     return footprint;
 }
 
-Footprint with_points_on_rings(Footprint footprint, const std::vector<Point2>& points, double tolerance) {
+Footprint with_points_on_rings(const Footprint& footprint, const std::vector<Point2>& points,
+                               double tolerance) {
     const auto edges = ring_edges(footprint);
     auto boxes = edge_boxes(edges);
     std::vector<EdgeBox> point_boxes;

@@ -36,6 +36,7 @@ Footprint checked_footprint(Footprint footprint);
 
 //! Points within `tolerance` of a ring become corners of it, so that none stays so close to an edge that only
 //! slivers fit between.
-Footprint with_points_on_rings(Footprint footprint, const std::vector<Point2>& points, double tolerance);
+Footprint with_points_on_rings(const Footprint& footprint, const std::vector<Point2>& points,
+                               double tolerance);
 
 }  // namespace stratareeb

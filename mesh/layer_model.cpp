@@ -153,7 +153,7 @@ void set_horizons(LayerModel& model, std::vector<double> ground, std::vector<std
             if (measured > 0) thickness[i][v] = std::max(measured, thinnest);
         }
     }
-    model.horizons.assign(layers + 1, std::move(ground));
+    model.horizons.assign(layers + 1, ground);
     for (std::size_t i = 0; i < layers; ++i)
         for (std::size_t v = 0; v < vertices; ++v)
             model.horizons[i + 1][v] = model.horizons[i][v] - thickness[i][v];

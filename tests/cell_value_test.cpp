@@ -43,10 +43,9 @@ TEST(CellValue, marks_for_nothing_are_empty) {
 }
 
 TEST(CellValue, lower_bounds) {
-    for (const char* text : {">5.2", "> 5.2", ">=5.2",
-                             "\xe2\x89\xa5"
-                             "5.2",
-                             "5.2+", "5.2 +"}) {
+    const std::string at_least_sign = "\xe2\x89\xa5";
+    for (const std::string& text : {std::string(">5.2"), std::string("> 5.2"), std::string(">=5.2"),
+                                    at_least_sign + "5.2", std::string("5.2+"), std::string("5.2 +")}) {
         EXPECT_EQ(cell_value(text).kind, CellKind::AtLeast) << text;
         EXPECT_EQ(cell_value(text).number, 5.2) << text;
     }

@@ -12,7 +12,6 @@
 namespace stratareeb {
 namespace {
 
-using testing::all_solids;
 using testing::expect_sound;
 
 struct Case {
@@ -52,7 +51,8 @@ TEST_P(RandomModels, are_watertight_conforming_and_true_to_their_holes) {
     constexpr int kSeedsPerTest = 50;
     int refused = 0;  // surveys too close to a line for a hull
     for (int k = 0; k < kSeedsPerTest; ++k) {
-        const auto seed = static_cast<std::uint64_t>(GetParam() * kSeedsPerTest + k + 1);
+        const auto seed =
+            static_cast<std::uint64_t>(GetParam()) * kSeedsPerTest + static_cast<std::uint64_t>(k) + 1;
         SCOPED_TRACE("seed " + std::to_string(seed));
         const Case c = random_case(seed);
         const Survey survey = random_survey(c.survey);

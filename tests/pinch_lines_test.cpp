@@ -275,9 +275,9 @@ TEST(PinchLines, keep_shared_points_to_the_bit_far_from_the_origin) {
         const PlanLines lines = pinch_lines(field, 0), edges = cut_triangulation_edges(field);
         std::vector<int> uses(lines.points.size());
         for (const auto& [a, b] : lines.segments) ++uses[a], ++uses[b];
-        for (std::size_t i = 0; i < lines.points.size(); ++i) {
-            const bool on_edge = std::ranges::find(edges.points, lines.points[i]) != edges.points.end();
-            const auto l = field.holes().locate(std::span(&lines.points[i], 1))[0];
+        for (const Point2& point : lines.points) {
+            const bool on_edge = std::ranges::find(edges.points, point) != edges.points.end();
+            const auto l = field.holes().locate(std::span(&point, 1))[0];
             const bool amid = std::ranges::min(l.weight) > 1e-6;
             EXPECT_NE(on_edge, amid) << "a point on an edge is a cut of that edge";
         }

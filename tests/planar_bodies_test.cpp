@@ -10,7 +10,6 @@ namespace stratareeb {
 namespace {
 
 using test::add_slab;
-using test::GridSlab;
 using test::level;
 
 TEST(PlanarBodies, each_connected_body_is_one) {

@@ -14,7 +14,6 @@
 namespace stratareeb {
 namespace {
 
-using test::GridSlab;
 using Vec = OpenMesh::Vec3d;
 
 Vec at(const TriMesh& mesh, std::uint32_t v) {

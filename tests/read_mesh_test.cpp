@@ -198,7 +198,7 @@ TEST_F(ReadMesh, glb_applies_the_transformations_of_all_nodes) {
 
 TEST_F(ReadMesh, glb_that_asks_for_too_much_is_refused) {
     const auto binary = tetrahedron_positions() + kTetrahedronIndices;
-    const auto with = [&](std::string json) { return glb(json, binary); };
+    const auto with = [&](const std::string& json) { return glb(json, binary); };
     const std::string scene = R"(,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}]})";
     expect_refusal("loop.glb",
                    with("{" + kGlbMesh + R"(,"scenes":[{"nodes":[0]}],"nodes":[{"children":[0]}]})"),
