@@ -14,6 +14,8 @@ int main(int argc, char** argv) {
     add_check_command(program);
     add_convert_command(program);
     add_info_command(program);
+    add_levels_command(program);
+    add_reeb_command(program);
     add_sample_command(program);
     try {
         program.parse(argc, argv);

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "mesh/tri_mesh.h"
+#include "reeb/vertex_link.h"
+
+namespace stratareeb {
+
+//! Finds which strands above a vertex belong to one contour, by walking along the level set just above the vertex from all
+//! ends of all strands in step, one triangle at a time, until all contours but one are closed (or end at the boundary on both
+//! sides). Costs the length of the second longest contour, times the number of strands.
+class StrandWalk {
+ public:
+    StrandWalk(const TriMesh& mesh, const std::vector<std::uint32_t>& rank)
+        : mesh_(mesh), rank_(rank), end_at_(mesh.n_edges(), 0) {}
+
+    //! Number of contours; the rest of the questions are about the last call.
+    //! \pre two strands or more
+    std::size_t group_strands(const VertexLink& link);
+    //! All strands form one contour, known without walking.
+    std::size_t one_group(const VertexLink& link);
+
+    std::uint32_t group_of(std::size_t strand) const { return group_[strand]; }
+    //! The contour that was not walked to its end; its edges are not known.
+    std::uint32_t unfinished_group() const { return unfinished_; }
+    //! Edges that a finished contour crosses, those at the vertex left out.
+    std::vector<std::uint32_t> edges_of(std::uint32_t group) const;
+
+ private:
+    struct Walker {
+        TriMesh::HalfedgeHandle at;  // the crossed edge's half-edge in the triangle to come
+        std::size_t strand = 0;
+        bool done = false;
+        std::vector<std::uint32_t> edges;
+    };
+
+    void step(Walker& walker);
+    std::size_t root(std::size_t strand) const;
+    bool one_is_open() const;
+
+    const TriMesh& mesh_;
+    const std::vector<std::uint32_t>& rank_;
+    std::vector<std::uint32_t> end_at_;  // by edge: 1 + the walker that starts there, 0 elsewhere
+    std::vector<Walker> walkers_;
+    std::vector<std::size_t> parent_;
+    std::vector<std::uint32_t> group_;
+    std::uint32_t rank_at_ = 0, unfinished_ = 0;
+};
+
+}  // namespace stratareeb
