@@ -109,6 +109,13 @@ const BoreholeSet kOthers[] = {
     {"wigan_depot", "../shared/data/ags_uk/wigan_depot/wide_noheader.csv --spacing none"},
     {"teapot_dome", "../shared/data/teapot_dome/wide_shannon_noheader.csv --unit ft --spacing none"},
     {"louisiana", "../shared/data/louisiana_north/wide_claycap_noheader.csv --spacing none"},
+    {"docklands",
+     "../shared/data/ags_uk/dlr_city_airport/intervals.csv --collars "
+     "../shared/data/ags_uk/dlr_city_airport/collars.csv --spacing none"},
+    {"frontier", "../shared/data/teapot_dome/wide_frontier_noheader.csv --unit ft --spacing none"},
+    {"bungendore",
+     "../shared/data/bungendore/intervals.csv --collars ../shared/data/bungendore/collars.csv --spacing "
+     "none"},
 };
 
 double millimetres(const std::string& unit) {
