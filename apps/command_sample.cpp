@@ -13,6 +13,7 @@
 
 #include "apps/choice.h"
 #include "apps/command.h"
+#include "apps/field_option.h"
 #include "boreholes/errors.h"
 #include "boreholes/random_survey.h"
 #include "io/write_aside.h"
@@ -32,13 +33,6 @@ struct SampleArguments {
 
 fs::path truth_file(const fs::path& table) {
     return table.parent_path() / (table.stem().string() + "_truth.json");
-}
-
-void keep_existing(const std::vector<fs::path>& files) {
-    for (const fs::path& file : files)
-        if (fs::exists(file))
-            throw IoError(
-                fmt::format("{}: is there already; give another name or --overwrite", file.string()));
 }
 
 nlohmann::ordered_json truth_as_json(const RandomSurveyOptions& options, const Survey& survey) {
@@ -63,7 +57,7 @@ void run(const SampleArguments& arguments) {
     const fs::path table = arguments.output;
     std::vector<fs::path> files{table, truth_file(table)};
     if (arguments.layout == TableLayout::Intervals) files.insert(files.begin() + 1, collar_table(table));
-    if (!arguments.overwrite) keep_existing(files);
+    for (const fs::path& file : files) keep_existing(file, arguments.overwrite);
     RandomSurveyOptions options = arguments.survey;
     options.corners = !arguments.no_corners;
     const Survey survey = random_survey(options);

@@ -26,8 +26,6 @@ constexpr double kThinnest = 1e-9;
 constexpr double kPinchHullSliver = 0.05;
 constexpr double kBareOpening = 0.02, kSpacedOpening = 0.25;
 
-using Progress = std::function<void(const char*, double)>;
-
 void report(const LayerModelOptions& options, const char* step, double share) {
     if (options.progress) options.progress(step, share);
 }
