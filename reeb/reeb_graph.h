@@ -22,6 +22,8 @@ struct ReebNode {
 //! A family of contours that move, without merging or splitting, from one node up to another.
 struct ReebArc {
     std::uint32_t lower = 0, upper = 0;  // nodes
+    // An edge of the mesh that the arc's contours cross just below its upper end: from this vertex up to that one.
+    std::uint32_t below_top = 0, top = 0;
 };
 
 //! The Reeb graph of a field on a surface (G. Reeb 1946): its points are the connected pieces of the field's level sets.
@@ -32,6 +34,8 @@ struct ReebGraph {
     std::vector<ReebArc> arcs;    // in the order of their lower nodes
     std::vector<std::uint32_t>
         vertex_arc;  // the arc through each vertex; at a node an arc that starts or else ends there
+    std::vector<std::uint32_t>
+        triangle_arc;            // by face: of the contour through it just below its middle vertex
     std::size_t components = 0;  // of the graph, which are those of the surface
 
     std::size_t hidden_loops = 0;  // handles that multiple saddles open and close at one vertex
@@ -42,10 +46,11 @@ struct ReebGraph {
 };
 
 //! The Reeb graph of any 2-manifold, with or without boundary, of any genus and with any number of components. Vertices are
-//! swept in order (value, then index); each edge knows the contour that crosses it, merged by union-find. Where a contour may
-//! split, its pieces are walked in step until all but one are closed, so that the longest is never walked to its end. Time:
-//! a sort, a pass over the edges, and the lengths of the shorter pieces at splits. Vertices at which an open contour only
-//! closes, or a closed one opens, are no nodes. Vertices without faces are nodes without arcs.
+//! swept in order (value, then index); each takes its contour over from the highest neighbour below, names of contours being
+//! merged by union-find. Where a contour may split, its pieces are walked in step until all but one are closed, so that the
+//! longest is never walked to its end. Time: a sort, a pass over the mesh (both on all threads, with the same result), and
+//! the lengths of the shorter pieces at splits. Vertices at which an open contour only closes, or a closed one opens, are no
+//! nodes. Vertices without faces are nodes without arcs.
 //! \throw InvalidInput if the field does not fit the mesh.
 ReebGraph reeb_graph(const TriMesh& mesh, const ScalarField& field);
 

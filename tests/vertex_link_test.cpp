@@ -27,9 +27,16 @@ TEST(VertexLink, parts_the_edges_of_a_vertex_into_lower_ones_and_strands) {
         VertexLink link;
         for (std::uint32_t v = 0; v < rank.size(); ++v) {
             read_link(mesh, rank, v, link);
-            std::vector<std::uint32_t> found = link.lower_edges, expected;
-            for (const auto& strand : link.strands)
-                found.insert(found.end(), strand.edges.begin(), strand.edges.end());
+            std::vector<std::uint32_t> found, expected;
+            const auto take = [&](const auto& part, bool upper) {
+                for (const auto h : link.edges_of(part)) {
+                    found.push_back(static_cast<std::uint32_t>(mesh.edge_handle(h).idx()));
+                    EXPECT_EQ(rank[static_cast<std::size_t>(mesh.to_vertex_handle(h).idx())] > rank[v],
+                              upper);
+                }
+            };
+            for (const auto& strand : link.strands) take(strand, true);
+            for (const auto& fan : link.lower_fans) take(fan, false);
             for (const auto e : mesh.ve_range(TriMesh::VertexHandle(static_cast<int>(v))))
                 expected.push_back(static_cast<std::uint32_t>(e.idx()));
             std::ranges::sort(found);
@@ -49,7 +56,7 @@ TEST(VertexLink, parts_the_edges_of_a_vertex_into_lower_ones_and_strands) {
                 }
             if (link.is_path || link.all_above) continue;
             EXPECT_EQ(ends, 2 * link.strands.size());
-            EXPECT_EQ(link.lower_fans, std::max<std::size_t>(link.strands.size(), 1));
+            EXPECT_EQ(link.lower_fans.size(), std::max<std::size_t>(link.strands.size(), 1));
         }
     }
 }
