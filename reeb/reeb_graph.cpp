@@ -69,27 +69,31 @@ class Sweep {
             fan_arc_[f] = successors_.last(arc_below(fan_arc_[f], descent_.fan_below[f]));
             if (std::ranges::find(lower_, fan_arc_[f]) == lower_.end()) lower_.push_back(fan_arc_[f]);
         }
-        if (lower_.size() == 1 && critical.strands == 1) {
-            arc_at_[rank] = lower_[0];
-            return;
-        }
         const std::uint32_t groups = group_strands(critical);
         count_hidden_loops(critical, groups);
-        if (lower_.size() == 1 && groups == 1)
+        if (lower_.size() == 1 && groups == 1) {
             arc_at_[rank] = lower_[0];
-        else
+            ends_[lower_[0]] = ends_above(critical);
+        } else {
             make_node(rank, critical, groups);
+        }
     }
 
     //! The number of contours that leave a vertex upwards.
     std::uint32_t group_strands(const CriticalLink& critical) {
         if (critical.strands < 2) return critical.strands;
-        // Closed contours that all differ become one. Open ones may exchange their ends instead, so on a mesh with boundary
-        // that is looked at.
-        const bool may_split = lower_.size() < critical.fans || descent_.has_boundary;
-        if (!may_split) return 1;
+        // Contours that all differ, at most one of them open, become one. Open ones exchange their ends instead.
+        const auto open = std::ranges::count_if(lower_, [&](std::uint32_t arc) { return ends_[arc] > 0; });
+        if (lower_.size() == critical.fans && open < 2 && !critical.is_on_boundary()) return 1;
         read_link(mesh_, order_.rank, critical.vertex, link_);
         return static_cast<std::uint32_t>(walk_.group_strands(link_));
+    }
+
+    //! Ends on the boundary of all contours that leave a vertex upwards together.
+    std::uint32_t ends_above(const CriticalLink& critical) const {
+        std::uint32_t ends = 0;
+        for (const std::uint32_t arc : lower_) ends += ends_[arc];
+        return ends + critical.ends_above - critical.ends_below;
     }
 
     //! A saddle of multiplicity m is m simple saddles at one place. Parted, they would form a piece of graph with m nodes of
@@ -116,6 +120,7 @@ class Sweep {
         for (std::uint32_t group = 0; group < groups; ++group) {
             graph_.arcs.push_back({node, node});
             successors_.add_arc();
+            ends_.push_back(0);
         }
         if (groups == 0) {
             arc_at_[rank] = lower_.empty() ? kNone : lower_[0];
@@ -125,8 +130,14 @@ class Sweep {
         const std::uint32_t kept = groups > 1 ? walk_.unfinished_group() : 0;
         arc_at_[rank] = first_arc + kept;
         for (const std::uint32_t arc : lower_) successors_.set(arc, first_arc + kept);
-        for (std::uint32_t group = 0; group < groups; ++group)
-            if (group != kept) name_edges(group, first_arc + group);
+        std::uint32_t ends = ends_above(critical);
+        for (std::uint32_t group = 0; group < groups; ++group) {
+            if (group == kept) continue;
+            name_edges(group, first_arc + group);
+            ends_[first_arc + group] = walk_.ends_of(group);
+            ends -= walk_.ends_of(group);
+        }
+        ends_[first_arc + kept] = ends;
     }
 
     void name_edges(std::uint32_t group, std::uint32_t arc) {
@@ -221,6 +232,7 @@ class Sweep {
     StrandWalk walk_;
     ArcSuccessors successors_;
     VertexLink link_;
+    std::vector<std::uint32_t> ends_;   // by arc: how often its contour ends on the boundary, twice or never
     std::vector<std::uint32_t> lower_;  // arcs that end at the vertex being visited
     ReebGraph graph_;
 };

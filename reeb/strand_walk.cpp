@@ -6,13 +6,6 @@
 
 namespace stratareeb {
 
-std::size_t StrandWalk::one_group(const VertexLink& link) {
-    group_.assign(link.strands.size(), 0);
-    walker_count_ = 0;
-    unfinished_ = 0;
-    return 1;
-}
-
 std::size_t StrandWalk::root(std::size_t strand) const {
     while (parent_[strand] != strand) strand = parent_[strand];
     return strand;
@@ -86,6 +79,11 @@ std::size_t StrandWalk::group_strands(const VertexLink& link) {
         while (root(first) != root(s)) ++first;
         group_[s] = first == s ? groups++ : group_[first];
     }
+    ends_.assign(groups, 0);
+    for (std::size_t s = 0; s < link.strands.size(); ++s)
+        for (const Halfedge exit : {link.strands[s].first_exit, link.strands[s].last_exit})
+            ends_[group_[s]] += !exit.is_valid();
+    for (const Walker& walker : walkers()) ends_[group_[walker.strand]] += mesh_.is_boundary(walker.at);
     unfinished_ = 0;  // if all are finished, any may keep its name
     for (const Walker& walker : walkers())
         if (!walker.done) unfinished_ = group_[walker.strand];

@@ -23,12 +23,12 @@ class StrandWalk {
     //! Number of contours; the rest of the questions are about the last call.
     //! \pre two strands or more
     std::size_t group_strands(const VertexLink& link);
-    //! All strands form one contour, known without walking.
-    std::size_t one_group(const VertexLink& link);
 
     std::uint32_t group_of(std::size_t strand) const { return group_[strand]; }
     //! The contour that was not walked to its end; its edges are not known.
     std::uint32_t unfinished_group() const { return unfinished_; }
+    //! How often a finished contour ends on the boundary: twice if it is open, else never.
+    std::uint32_t ends_of(std::uint32_t group) const { return ends_[group]; }
     //! Call `visit(h)` for each edge, as one of its half-edges, that a finished contour crosses, those at the vertex left out.
     template <class Visit>
     void for_edges_of(std::uint32_t group, const Visit& visit) const {
@@ -58,7 +58,7 @@ class StrandWalk {
     std::vector<Walker> walkers_;  // the first walker_count_ are in use; the rest keep their memory
     std::size_t walker_count_ = 0;
     std::vector<std::size_t> parent_;
-    std::vector<std::uint32_t> group_;
+    std::vector<std::uint32_t> group_, ends_;
     std::uint32_t rank_at_ = 0, unfinished_ = 0;
 };
 

@@ -77,9 +77,16 @@ class Scan {
 
     void add_critical(std::uint32_t v, VertexLink& link, Block& block) const {
         read_link(mesh_, rank_, v, link);
-        block.critical.push_back({v, static_cast<std::uint32_t>(block.fan_below.size()),
-                                  static_cast<std::uint32_t>(link.lower_fans.size()),
-                                  static_cast<std::uint32_t>(link.strands.size())});
+        CriticalLink critical{.vertex = v,
+                              .first_fan = static_cast<std::uint32_t>(block.fan_below.size()),
+                              .fans = static_cast<std::uint32_t>(link.lower_fans.size()),
+                              .strands = static_cast<std::uint32_t>(link.strands.size())};
+        if (link.is_path) {
+            critical.ends_above = static_cast<std::uint8_t>((rank_at_end(link.spokes.front()) > rank_[v]) +
+                                                            (rank_at_end(link.spokes.back()) > rank_[v]));
+            critical.ends_below = static_cast<std::uint8_t>(2 - critical.ends_above);
+        }
+        block.critical.push_back(critical);
         for (const LowerFan& fan : link.lower_fans) {
             std::uint32_t highest = 0;
             for (const Halfedge h : link.edges_of(fan)) highest = std::max(highest, rank_at_end(h));

@@ -15,6 +15,10 @@ struct CriticalLink {
     std::uint32_t vertex = 0;
     std::uint32_t first_fan = 0, fans = 0;  // lower fans, in VertexDescent::fan_below
     std::uint32_t strands = 0;              // upper fans
+    // Of a vertex on the boundary: its neighbours on the boundary below it and above it, two together. So many contours end
+    // at it just below and just above.
+    std::uint8_t ends_below = 0, ends_above = 0;
+    bool is_on_boundary() const { return ends_below + ends_above > 0; }
 };
 
 //! From each vertex one step down, by ranks (places in the order): to its highest lower neighbour. At a critical vertex there
