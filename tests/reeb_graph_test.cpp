@@ -2,6 +2,7 @@
 #include "reeb/reeb_graph.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <filesystem>
 #include <map>
@@ -10,6 +11,7 @@
 #include "boreholes/errors.h"
 #include "io/read_mesh.h"
 #include "mesh/analysis.h"
+#include "reeb/arc_index.h"
 #include "tests/reeb_oracle.h"
 #include "tests/shapes.h"
 
@@ -128,6 +130,49 @@ TEST(ReebGraph, knows_the_arc_of_every_vertex) {
             EXPECT_LE(graph.nodes[arc.lower].value, field[v]) << name;
             EXPECT_GE(graph.nodes[arc.upper].value, field[v]) << name;
         }
+    }
+}
+
+// The contour just below a triangle's middle vertex crosses the edge from the lowest to it: that contour's arc is the triangle's.
+TEST(ReebGraph, knows_the_arc_of_every_triangle) {
+    std::mt19937_64 random(15);
+    for (const auto& [name, mesh] : small_meshes()) {
+        ScalarField field(mesh.n_vertices());
+        for (double& value : field) value = static_cast<double>(random() % 1'000'000'000);
+        const ReebGraph graph = reeb_graph(mesh, field);
+        ASSERT_EQ(graph.triangle_arc.size(), mesh.n_faces());
+        const ArcIndex index(mesh, field, graph);
+        for (const auto face : mesh.faces()) {
+            std::vector<std::pair<double, TriMesh::Point>> corners;
+            for (const auto v : mesh.fv_range(face))
+                corners.emplace_back(field[static_cast<std::size_t>(v.idx())], mesh.point(v));
+            std::ranges::sort(corners, {}, &std::pair<double, TriMesh::Point>::first);
+            const double level = corners[1].first - 0.5;  // values are whole and differ
+            const double share = (corners[1].first - level) / (corners[1].first - corners[0].first);
+            const auto crossing = corners[1].second + share * (corners[0].second - corners[1].second);
+            const Contour contour =
+                index.contour(graph.triangle_arc[static_cast<std::size_t>(face.idx())], level);
+            EXPECT_NE(std::ranges::find(contour.points, Point3{crossing[0], crossing[1], crossing[2]}),
+                      contour.points.end())
+                << name;
+        }
+    }
+}
+
+TEST(ReebGraph, is_the_same_on_any_number_of_threads) {
+    std::mt19937_64 random(16);
+    const TriMesh mesh = half_edge_mesh(shapes::terrain(300));
+    ScalarField field(mesh.n_vertices());
+    for (double& value : field) value = static_cast<double>(random() % 10'000);
+    std::vector<ReebGraph> graphs;
+    for (const std::size_t threads : {1u, 2u, 5u}) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        graphs.push_back(reeb_graph(mesh, field));
+    }
+    for (const ReebGraph& graph : graphs) {
+        EXPECT_EQ(as_oracle(graph).nodes, as_oracle(graphs[0]).nodes);
+        EXPECT_EQ(graph.vertex_arc, graphs[0].vertex_arc);
+        EXPECT_EQ(graph.triangle_arc, graphs[0].triangle_arc);
     }
 }
 
