@@ -9,6 +9,7 @@
 #include "boreholes/errors.h"
 #include "mesh/analysis.h"
 #include "reeb/level_set.h"
+#include "reeb/reeb_graph.h"
 #include "tests/shapes.h"
 
 namespace stratareeb {
@@ -118,6 +119,58 @@ TEST(CriticalPoints, stand_from_bottom_to_top_and_a_monkey_saddle_counts_twice) 
     EXPECT_EQ(saddle->index, -2);
     EXPECT_FALSE(saddle->on_boundary);
     EXPECT_TRUE(std::ranges::is_sorted(points, {}, &CriticalPoint::value));
+}
+
+// Every node is a critical point; those that are none leave the number of contours as it is, also on surfaces with boundary.
+TEST(CriticalPoints, that_are_no_nodes_leave_the_number_of_contours) {
+    std::mt19937_64 random(4);
+    int passed_on_boundary = 0;
+    for (const auto& shape : all_shapes()) {
+        if (shape.soup.points.size() > 300 || shape.name.find("bius") != std::string::npos) continue;
+        const TriMesh mesh = half_edge_mesh(shape.soup);
+        for (int round = 0; round < 5; ++round) {
+            const auto field = random_field(mesh.n_vertices(), random, false);
+            const ReebGraph graph = reeb_graph(mesh, field);
+            std::size_t nodes = 0;
+            for (const auto& point : critical_points(mesh, field, graph)) {
+                nodes += point.changes_level_set();
+                if (point.changes_level_set()) {
+                    EXPECT_EQ(graph.nodes[point.node].vertex, point.vertex);
+                    EXPECT_EQ(graph.nodes[point.node].type, point.type);
+                    continue;
+                }
+                const std::vector<double> around{point.value - 0.5, point.value + 0.5};
+                const auto sets = level_sets(mesh, field, around);
+                EXPECT_EQ(sets[0].contours.size(), sets[1].contours.size()) << shape.name;
+                passed_on_boundary += point.on_boundary;
+            }
+            EXPECT_EQ(nodes, graph.nodes.size()) << shape.name;
+        }
+    }
+    EXPECT_GT(passed_on_boundary, 10);
+}
+
+TEST(CriticalPoints, on_a_boundary_say_how_many_contours_end_there) {
+    TriangleSoup soup;  // a strip whose lower rim dips twice and whose upper rim rises twice
+    soup.points = {{0, 0, 1}, {1, 0, 0}, {2, 0, 1}, {3, 0, 0.1}, {4, 0, 1},
+                   {0, 1, 2}, {1, 1, 3}, {2, 1, 2}, {3, 1, 3.1}, {4, 1, 2}};
+    for (std::uint32_t k = 0; k < 4; ++k) {
+        soup.triangles.push_back({k, k + 1, k + 6});
+        soup.triangles.push_back({k, k + 6, k + 5});
+    }
+    const TriMesh mesh = half_edge_mesh(soup);
+    const ScalarField field = height_field(mesh);
+    const auto points = critical_points(mesh, field, reeb_graph(mesh, field));
+    ASSERT_EQ(points.size(),
+              6u);  // two minima, one join between them, one split, two maxima, all on the rims
+    const std::vector<std::uint32_t> vertices{1, 3, 2, 7, 6, 8};
+    const std::vector<int> indices{1, 1, -1, 0, 0, 0};  // only what joins below changes the surface below
+    for (std::size_t k = 0; k < 6; ++k) {
+        EXPECT_EQ(points[k].vertex, vertices[k]);
+        EXPECT_EQ(points[k].index, indices[k]);
+        EXPECT_TRUE(points[k].on_boundary);
+        EXPECT_TRUE(points[k].changes_level_set());
+    }
 }
 
 TEST(CriticalPoints, refuse_a_field_that_does_not_fit) {
