@@ -6,23 +6,48 @@
 #include "boreholes/errors.h"
 #include "io/text_output.h"
 #include "io/write_aside.h"
+#include "reeb/contour_nesting.h"
 
 namespace stratareeb {
 
 namespace {
 
-void write_json(std::ostream& stream, std::span<const LevelSet> sets) {
+void print_points(TextOutput& out, const Contour& contour, bool in_plan) {
+    const char* comma = "";
+    for (const Point3& p : contour.points) {
+        if (in_plan)
+            out.print("{}[{}, {}]", comma, p.x, p.y);
+        else
+            out.print("{}[{}, {}, {}]", comma, p.x, p.y, p.z);
+        comma = ", ";
+    }
+}
+
+void write_json(std::ostream& stream, std::span<const LevelSet> sets,
+                const std::optional<Point3>& direction) {
     TextOutput out(stream);
-    out.print("{{\"contours\": [");
+    const bool in_plan = direction == Point3{0, 0, 1};
+    out.print("{{");
+    if (direction && !in_plan)
+        out.print("\"direction\": [{}, {}, {}], ", direction->x, direction->y, direction->z);
+    out.print("\"contours\": [");
     const char* comma = "\n";
-    for (const LevelSet& set : sets)
-        for (const Contour& contour : set.contours) {
-            out.print("{} {{\"z\": {}, \"closed\": {}, \"points\": [", comma, set.level, contour.closed);
-            for (std::size_t i = 0; i < contour.points.size(); ++i)
-                out.print("{}[{}, {}]", i ? ", " : "", contour.points[i].x, contour.points[i].y);
+    std::size_t first = 0;  // of the level's contours in the file
+    for (const LevelSet& set : sets) {
+        const ContourNesting nesting = direction ? nest_contours(set, *direction) : ContourNesting{};
+        for (std::size_t c = 0; c < set.contours.size(); ++c) {
+            out.print("{} {{\"z\": {}, \"closed\": {}, ", comma, set.level, set.contours[c].closed);
+            if (direction && nesting.parent[c] == ContourNesting::kNone)
+                out.print("\"depth\": 0, \"parent\": null, ");
+            else if (direction)
+                out.print("\"depth\": {}, \"parent\": {}, ", nesting.depth[c], first + nesting.parent[c]);
+            out.print("\"points\": [");
+            print_points(out, set.contours[c], in_plan);
             out.print("]}}");
             comma = ",\n";
         }
+        first += set.contours.size();
+    }
     out.print("\n]}}\n");
 }
 
@@ -42,12 +67,13 @@ void write_obj(std::ostream& stream, std::span<const LevelSet> sets) {
 
 }  // namespace
 
-void write_contours(const std::filesystem::path& file, std::span<const LevelSet> sets) {
+void write_contours(const std::filesystem::path& file, std::span<const LevelSet> sets,
+                    const std::optional<Point3>& direction) {
     const std::string extension = file.extension().string();
     if (extension != ".json" && extension != ".obj")
         throw IoError(file.string() + ": contours are written as .json or .obj");
     write_aside(file, [&](std::ostream& stream) {
-        extension == ".json" ? write_json(stream, sets) : write_obj(stream, sets);
+        extension == ".json" ? write_json(stream, sets, direction) : write_obj(stream, sets);
     });
 }
 
