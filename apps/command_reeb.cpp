@@ -7,6 +7,8 @@
 
 #include "apps/command.h"
 #include "apps/field_option.h"
+#include "apps/input_mesh.h"
+#include "apps/keep_existing.h"
 #include "io/write_graph.h"
 #include "mesh/analysis.h"
 #include "reeb/reeb_graph.h"
@@ -16,13 +18,14 @@ namespace {
 
 struct ReebArguments {
     std::string mesh, output, field = "z";
-    bool overwrite = false, json = false;
+    bool overwrite = false, json = false, repair = false;
 };
 
 void run(const ReebArguments& arguments) {
     if (!arguments.output.empty()) keep_existing(arguments.output, arguments.overwrite);
-    const TriMesh mesh = half_edge_mesh_of(arguments.mesh);
-    const ScalarField field = field_of(mesh, arguments.field);
+    const InputMesh input = read_input_mesh(arguments.mesh, arguments.repair);
+    const TriMesh& mesh = input.mesh;
+    const ScalarField field = field_of(input, arguments.field);
     const auto start = std::chrono::steady_clock::now();
     const ReebGraph graph = reeb_graph(mesh, field);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -66,6 +69,7 @@ void add_reeb_command(CLI::App& program) {
         ->required();
     command->add_option("-o,--output", arguments->output, "File for the graph, .json, .dot or .graphml");
     add_field_option(*command, arguments->field);
+    add_repair_option(*command, arguments->repair);
     command->add_flag("--overwrite", arguments->overwrite, "Replace a file that is there");
     command->add_flag("--json", arguments->json, "Print JSON");
     command->callback([arguments] { run(*arguments); });

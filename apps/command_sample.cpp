@@ -13,7 +13,7 @@
 
 #include "apps/choice.h"
 #include "apps/command.h"
-#include "apps/field_option.h"
+#include "apps/keep_existing.h"
 #include "boreholes/errors.h"
 #include "boreholes/random_survey.h"
 #include "io/write_aside.h"

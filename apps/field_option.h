@@ -2,25 +2,23 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
+#include <optional>
 #include <string>
 
+#include "apps/input_mesh.h"
 #include "boreholes/point.h"
-#include "mesh/tri_mesh.h"
 #include "reeb/scalar_field.h"
 
 namespace stratareeb {
 
-//! `--field x|y|z|dx,dy,dz`, the same in every command that asks for a field.
+//! `--field x|y|z|dx,dy,dz|distance:X,Y,Z|file:PATH|property:NAME`, the same in every command that asks for a field.
 void add_field_option(CLI::App& command, std::string& field);
 
-//! The height field of such a text.
-ScalarField field_of(const TriMesh& mesh, const std::string& field);
+//! The field of such a text: values from a file or property go with the vertices that the mesh's own come from.
+//! \throw InvalidInput, IoError if the values can't be read or are not one finite number a vertex
+ScalarField field_of(const InputMesh& input, const std::string& field);
 
-//! A mesh file as a half-edge mesh. \throw InvalidInput with the file's name where it is no oriented 2-manifold.
-TriMesh half_edge_mesh_of(const std::string& file);
-
-//! \throw IoError if there is a file of that name and `overwrite` is false.
-void keep_existing(const std::filesystem::path& file, bool overwrite);
+//! The direction if the field is height along one.
+std::optional<Point3> field_direction(const std::string& field);
 
 }  // namespace stratareeb
