@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/footprint.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
-#include <CGAL/intersections.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,12 +9,11 @@
 #include <numeric>
 
 #include "boreholes/errors.h"
+#include "mesh/ring_crossings.h"
 
 namespace stratareeb {
 
 namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 constexpr double kSlenderest = 1e-4;  // width over length of a hull that can still be meshed
 
@@ -33,11 +30,6 @@ double signed_area(const std::vector<Point2>& ring) {
 struct RingEdge {
     Point2 a, b;
     std::size_t ring, index, ring_size;
-    bool next_to(const RingEdge& other) const {
-        if (ring != other.ring) return false;
-        const std::size_t gap = index > other.index ? index - other.index : other.index - index;
-        return gap == 1 || gap == ring_size - 1;
-    }
 };
 
 std::vector<RingEdge> ring_edges(const Footprint& footprint) {
@@ -61,32 +53,12 @@ std::vector<EdgeBox> edge_boxes(const std::vector<RingEdge>& edges) {
     return boxes;
 }
 
-Kernel::Segment_2 segment(const RingEdge& e) {
-    return {{e.a.x, e.a.y}, {e.b.x, e.b.y}};
-}
-
-// Neighbouring edges share a corner: they are sound unless one folds back over the other.
-bool clash(const RingEdge& e, const RingEdge& f) {
-    if (!CGAL::do_intersect(segment(e), segment(f))) return false;
-    if (!e.next_to(f)) return true;
-    const bool e_first = e.b == f.a;
-    const Point2& corner = e_first ? e.b : e.a;
-    const Point2& before = e_first ? e.a : f.a;
-    const Point2& after = e_first ? f.b : e.b;
-    return CGAL::orientation(Kernel::Point_2(before.x, before.y), Kernel::Point_2(corner.x, corner.y),
-                             Kernel::Point_2(after.x, after.y)) == CGAL::COLLINEAR &&
-           (before.x - corner.x) * (after.x - corner.x) + (before.y - corner.y) * (after.y - corner.y) > 0;
-}
-
 void check_no_crossing(const Footprint& footprint) {
-    const auto edges = ring_edges(footprint);
-    auto boxes = edge_boxes(edges);
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const EdgeBox& u, const EdgeBox& v) {
-        const RingEdge &e = edges[u.info()], &f = edges[v.info()];
-        if (clash(e, f))
-            throw InvalidInput(fmt::format(
-                "the footprint's outline crosses or touches itself near x {:.10g}, y {:.10g}", f.a.x, f.a.y));
-    });
+    const auto crossings = ring_crossings(footprint, {.most = 1});
+    if (crossings.empty()) return;
+    const Point2& place = crossings.front().place;
+    throw InvalidInput(fmt::format(
+        "the footprint's outline crosses or touches itself near x {:.10g}, y {:.10g}", place.x, place.y));
 }
 
 }  // namespace
