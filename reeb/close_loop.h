@@ -15,7 +15,7 @@ class LoopCloser {
 
     //! Close a loop whose highest node is `upper` and that nowhere lies below `lower`: glue its sides, from the top down. If
     //! both rise all the way, the persistence pairs of the rest stay as they are; two rising sides are used if there are any.
-    //! Otherwise the lowest rises between them are glued first, which moves ends of other pairs by no more than those.
+    //! Otherwise the lowest rises on them are glued first, which may change other pairs.
     //! \return false if there is no such loop.
     bool close(std::uint32_t lower, std::uint32_t upper);
 

@@ -73,6 +73,15 @@ FoldedGraph::Fork FoldedGraph::zip(std::uint32_t a, std::uint32_t b, Side side) 
     return fork;
 }
 
+void FoldedGraph::slide(std::uint32_t arc, std::uint32_t node, std::uint32_t root_arc, Side side) {
+    const Side cut = opposite(side);
+    const std::uint32_t root = end(arc, cut);
+    detach(arc, cut);
+    arcs_[arc].end[cut] = node;
+    arcs_[arc].cuts[cut].push_back({node, root_arc, root});
+    attach(arc, cut);
+}
+
 void FoldedGraph::prune(std::uint32_t arc, Side side) {
     const std::uint32_t root = end(arc, opposite(side));
     nodes_[end(arc, side)].alive = false;
@@ -130,6 +139,7 @@ std::uint32_t FoldedGraph::arc_now(std::uint32_t arc, std::uint32_t vertex) {
     for (;;) {
         if (const Cut* cut = cut_that_took(vertex, arcs_[arc])) {
             arc = cut->arc;
+            if (cut->root != kNone) vertex = graph_.nodes[cut->root].vertex;
         } else if (is_alive(arc)) {
             return arc;
         } else if (arcs_[arc].root != kNone) {

@@ -17,9 +17,8 @@ inline Side opposite(Side side) {
     return side == Down ? Up : Down;
 }
 
-//! A Reeb graph while it is simplified. Points of equal value are glued together, so that every point of the old graph keeps its
-//! value and a place in the new one; only pruned leaves move, to their root. Nodes keep their numbers, and with them their
-//! order. Each change takes constant time.
+//! A Reeb graph while it is simplified: arcs are glued, equal values to equal values, or taken away. Nodes keep their numbers,
+//! and with them their order. Each change takes constant time.
 class FoldedGraph {
  public:
     static constexpr std::uint32_t kNone = ReebGraph::kNone;
@@ -47,6 +46,10 @@ class FoldedGraph {
     //! Glue two arcs on one side of a node, from there to the nearer one of their ends on that side.
     Fork zip(std::uint32_t a, std::uint32_t b, Side side);
 
+    //! Hang an arc on a node farther along one side, nearer than its end there. What lay on it up to that node goes to an arc at
+    //! the root it hung on before, given as well.
+    void slide(std::uint32_t arc, std::uint32_t node, std::uint32_t root_arc, Side side);
+
     //! Take away an arc with the node at its end on that side, which has no other arc. What lay on it goes to the first arc left
     //! on that side of the root, or else on the other.
     void prune(std::uint32_t arc, Side side);
@@ -66,7 +69,8 @@ class FoldedGraph {
         std::array<std::vector<std::uint32_t>, 2> arcs;
     };
     struct Cut {
-        std::uint32_t node, arc;  // what was beyond the node belongs to that arc now
+        std::uint32_t node, arc;     // what was beyond the node belongs to that arc now
+        std::uint32_t root = kNone;  // or rather to the arc's place at this node
     };
     struct Arc {
         std::array<std::uint32_t, 2> end;

@@ -16,11 +16,11 @@ namespace stratareeb {
 
 namespace {
 
-//! Cancels the branches that end on one side: minima for Down, maxima for Up. Nodes are met in order, away from that side; pieces of
-//! the graph met so far are known by their eldest node (elder rule). When a branch is cancelled, those within it already are: it has
-//! no other end, and the piece it joins has none that is younger. So any way along that side leads to its end, or past it in
-//! the other piece. Glued along two such ways, nothing else changes: the ways meet in the node, and beyond it were in
-//! different pieces.
+//! Cancels the branches that end on one side: minima for Down, maxima for Up. Nodes are met in order, away from that
+//! side; pieces of the graph met so far are known by their eldest node (elder rule). When a branch is cancelled, those
+//! within it already are: it has no other end, and the piece it joins has none that is younger. So any way along that
+//! side leads to its end, or past it in the other piece. Glued along two such ways, nothing else changes: the ways meet
+//! in the node, and beyond it were in different pieces.
 class BranchPruner {
  public:
     BranchPruner(FoldedGraph& graph, Side side, double threshold)
@@ -75,13 +75,26 @@ class BranchPruner {
                 graph_.prune(branch, side_);
                 return first == FoldedGraph::kNone ? trunk : first;
             }
-            const auto fork = graph_.zip(branch, trunk, side_);
-            if (first == FoldedGraph::kNone) first = fork.nearer;
-            const std::uint32_t onward = longest_but(fork.node, fork.rest);
-            if (onward == FoldedGraph::kNone) return first;
-            trunk = fork.nearer == branch ? fork.rest : onward;
-            branch = fork.nearer == branch ? onward : fork.rest;
+            const std::uint32_t below = pass_nodes(branch, trunk);
+            const auto fork = graph_.zip(branch, below, side_);
+            if (first == FoldedGraph::kNone) first = below == trunk ? fork.nearer : trunk;
+            branch = longest_but(fork.node, fork.rest);
+            trunk = fork.rest;
+            if (branch == FoldedGraph::kNone) return first;
         }
+    }
+
+    //! Let a branch slide along the trunk to the last node before its own end.
+    //! \return the trunk's arc from there on.
+    std::uint32_t pass_nodes(std::uint32_t branch, std::uint32_t trunk) {
+        const std::uint32_t end = graph_.end(branch, side_);
+        std::uint32_t node = FoldedGraph::kNone, arc = trunk;
+        while (is_elder(end, graph_.end(arc, side_))) {
+            node = graph_.end(arc, side_);
+            arc = longest_but(node, FoldedGraph::kNone);
+        }
+        if (node != FoldedGraph::kNone) graph_.slide(branch, node, trunk, side_);
+        return arc;
     }
 
     //! Of a node's arcs on this side, the one that leads farthest, another one left out.
