@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reeb/homotopy.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "boreholes/errors.h"
+#include "reeb/point_math.h"
+
+namespace stratareeb {
+namespace {
+
+constexpr std::size_t kDistanceSamples = 256;  // of a contour, for the mean distance to the next
+
+double mean_distance(const SampledContour& a, const SampledContour& b) {
+    const auto s = even_parameters(kDistanceSamples);
+    const auto p = points_at(a, s), q = points_at(b, s);
+    double sum = 0;
+    for (std::size_t i = 0; i < s.size(); ++i) sum += magnitude(q[i] - p[i]);
+    return sum / static_cast<double>(s.size());
+}
+
+}  // namespace
+
+ContourHomotopy::ContourHomotopy(std::vector<SampledContour> contours, std::vector<double> heights,
+                                 const HomotopyOptions& options)
+    : ContourHomotopy(std::move(contours), heights, heights, options) {}
+
+ContourHomotopy::ContourHomotopy(std::vector<SampledContour> contours, std::vector<double> places,
+                                 std::vector<double> levels, const HomotopyOptions& options)
+    : contours_(std::move(contours)), levels_(std::move(levels)), weights_(std::move(places), options) {
+    if (contours_.size() != levels_.size() || weights_.places().size() != levels_.size()) {
+        throw InvalidInput(
+            fmt::format("homotopy: {} contours with {} places and {} heights (expected one each)",
+                        contours_.size(), weights_.places().size(), levels_.size()));
+    }
+    for (const auto& contour : contours_) {
+        check_contour(contour);
+        means_.push_back(mean_point(contour));
+    }
+}
+
+double ContourHomotopy::level(std::size_t interval, double t) const {
+    const double low = levels_[interval], high = levels_[interval + 1];
+    return t == 1 ? high : low + t * (high - low);
+}
+
+//! The sum of corresponding points, as differences from the first of them: far from the origin nothing is lost.
+template <typename PointOf>
+Point3 ContourHomotopy::mixed(std::size_t interval, double t, std::span<const ContourWeight> weights,
+                              PointOf point_of) const {
+    if (weights.size() == 1) return point_of(weights[0].contour);
+    const Point3 base = point_of(interval);
+    Point3 sum = base;
+    sum.z = level(interval, t);
+    for (const auto& [i, weight] : weights) {
+        const Point3 p = point_of(i);
+        sum += Point3{weight * (p.x - base.x), weight * (p.y - base.y), weight * (p.z - levels_[i])};
+    }
+    return sum;
+}
+
+Point3 ContourHomotopy::at(double s, std::size_t interval, double t) const {
+    return contour_at(std::span(&s, 1), interval, t).front();
+}
+
+Point3 ContourHomotopy::mean(std::size_t interval, double t) const {
+    return mixed(interval, t, weights_.at(interval, t), [&](std::size_t i) { return means_[i]; });
+}
+
+std::vector<Point3> ContourHomotopy::contour_at(std::span<const double> s, std::size_t interval,
+                                                double t) const {
+    return std::move(contours_at(s, interval, std::span(&t, 1)).front().points);
+}
+
+//! Every contour in play is brought to the parameters once for all t.
+std::vector<SampledContour> ContourHomotopy::contours_at(std::span<const double> s, std::size_t interval,
+                                                         std::span<const double> t) const {
+    std::vector<std::vector<Point3>> given(contours_.size());
+    std::vector<SampledContour> result;
+    for (const double share : t) {
+        const auto weights = weights_.at(interval, share);
+        for (const auto& part : weights) {
+            if (given[part.contour].empty()) given[part.contour] = points_at(contours_[part.contour], s);
+        }
+        SampledContour contour{{}, {s.begin(), s.end()}};
+        contour.points.reserve(s.size());
+        for (std::size_t k = 0; k < s.size(); ++k) {
+            contour.points.push_back(
+                mixed(interval, share, weights, [&](std::size_t i) { return given[i][k]; }));
+        }
+        result.push_back(std::move(contour));
+    }
+    return result;
+}
+
+const std::vector<double>& ContourHomotopy::parameters_near(std::size_t interval, double t) const {
+    const auto &low = contours_[interval].parameters, &high = contours_[interval + 1].parameters;
+    const bool inside = t > 0 && t < 1;
+    if (inside && low.size() == 1) return high;
+    if (inside && high.size() == 1) return low;
+    return t < 0.5 ? low : high;
+}
+
+SampledContour ContourHomotopy::contour(std::size_t interval, double t) const {
+    return std::move(contours_at(parameters_near(interval, t), interval, std::span(&t, 1)).front());
+}
+
+std::vector<SampledContour> ContourHomotopy::contours_between(std::size_t interval, std::size_t steps) const {
+    std::vector<SampledContour> result;
+    std::vector<double> shares;
+    for (std::size_t i = 1; i < steps; ++i) {
+        shares.push_back(static_cast<double>(i) / static_cast<double>(steps));
+        const auto& parameters = parameters_near(interval, shares.back());
+        const bool last_of_kind =
+            i + 1 == steps || &parameters != &parameters_near(interval, static_cast<double>(i + 1) /
+                                                                            static_cast<double>(steps));
+        if (!last_of_kind) continue;
+        for (auto& contour : contours_at(parameters, interval, shares)) result.push_back(std::move(contour));
+        shares.clear();
+    }
+    return result;
+}
+
+HomotopyPlace homotopy_place(std::span<const double> places, double place) {
+    if (places.size() < 2 || !(place >= places.front() && place <= places.back())) {
+        throw InvalidInput(fmt::format("homotopy: nothing at {} (the contours run from {} to {})", place,
+                                       places.empty() ? 0 : places.front(),
+                                       places.empty() ? 0 : places.back()));
+    }
+    const auto above = std::upper_bound(places.begin() + 1, places.end() - 1, place);
+    const auto i = static_cast<std::size_t>(above - places.begin()) - 1;
+    return {i, (place - places[i]) / (places[i + 1] - places[i])};
+}
+
+ContourHomotopy horizontal_homotopy(std::vector<SampledContour> contours, const HomotopyOptions& options) {
+    for (const auto& contour : contours) check_contour(contour);
+    std::vector<double> places, levels;
+    for (std::size_t i = 0; i < contours.size(); ++i) {
+        const double z = contours[0].points[0].z;
+        for (const Point3& p : contours[i].points) {
+            if (p.z == z) continue;
+            throw InvalidInput(
+                fmt::format("homotopy: contour {} has a point at z = {}, the first contour is at {} "
+                            "(expected all at one height)",
+                            i, p.z, z));
+        }
+        levels.push_back(z);
+        places.push_back(i == 0 ? 0 : places.back() + mean_distance(contours[i - 1], contours[i]));
+    }
+    return {std::move(contours), std::move(places), std::move(levels), options};
+}
+
+}  // namespace stratareeb
