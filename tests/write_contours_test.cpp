@@ -5,12 +5,16 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
-#include <sstream>
+#include <numbers>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "boreholes/errors.h"
+#include "io/write_mesh.h"
 #include "reeb/contour_nesting.h"
+#include "tests/run_program.h"
 #include "tests/shapes.h"
 #include "tests/temporary_folder.h"
 
@@ -116,6 +120,53 @@ TEST(WriteContours, what_fails_leaves_no_file_and_keeps_the_old_one) {
     EXPECT_THROW(write_contours(folder / "old.json", sets, Point3{0, 0, 0}), InvalidInput);
     EXPECT_EQ(content_of(folder / "old.json"), "old");
     EXPECT_EQ(folder.size(), 1u);
+}
+
+class LevelsCommand : public ::testing::Test {
+ protected:
+    LevelsCommand() {
+        const TriMesh torus = half_edge_mesh(shapes::torus(3, 1, 120, 60));
+        write_mesh(folder_ / "torus.ply", {"torus", "#808080", &torus});
+    }
+
+    nlohmann::json level(const std::string& options) const {
+        const auto result = run_program(folder_, "levels torus.ply --json " + options);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return nlohmann::json::parse(result.out)["levels"][0];
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(LevelsCommand, reports_the_area_of_polygons_with_holes_along_any_direction) {
+    using std::numbers::pi;
+    const auto lying = level("--at 0.02");  // a ring
+    EXPECT_EQ(lying["polygons"], 1);
+    EXPECT_EQ(lying["holes"], 1);
+    EXPECT_NEAR(double(lying["area"]), 12 * pi, 0.1);
+    for (const char* across : {"x", "y", "-1,0,0", "0.6,0.8,0"}) {  // two circles of the tube
+        const auto level_across = level(std::string("--at 0 --field ") + across);
+        EXPECT_EQ(level_across["polygons"], 2) << across;
+        EXPECT_EQ(level_across["holes"], 0);
+        EXPECT_NEAR(double(level_across["area"]), 2 * pi, 0.02);
+        EXPECT_NEAR(double(level_across["length"]), 4 * pi, 0.02);
+    }
+    const auto text = run_program(folder_, "levels torus.ply --at 0.02");
+    EXPECT_NE(text.out.find("2 contours,      2 closed,      1 holes"), std::string::npos) << text.out;
+}
+
+TEST_F(LevelsCommand, does_not_nest_what_lies_in_no_plane) {
+    const auto around = level("--at 3 --field distance:0,0,0");
+    EXPECT_EQ(around["contours"], 2);
+    EXPECT_FALSE(around.contains("polygons"));
+}
+
+TEST_F(LevelsCommand, writes_contours_across_x_in_space) {
+    level("--at 0.01 --field x -o across.json");
+    const auto json = nlohmann::json::parse(content_of(folder_ / "across.json"));
+    EXPECT_EQ(json["direction"], (std::vector<double>{1, 0, 0}));
+    ASSERT_EQ(json["contours"].size(), 2u);
+    for (const auto& point : json["contours"][0]["points"]) EXPECT_NEAR(double(point.at(0)), 0.01, 1e-12);
 }
 
 }  // namespace
