@@ -6,13 +6,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <numbers>
 #include <numeric>
 #include <random>
+#include <string>
 
 #include "bench/reeb_meshes.h"
 #include "boreholes/errors.h"
+#include "io/read_mesh.h"
 #include "tests/shapes.h"
 
 namespace stratareeb {
@@ -235,6 +238,27 @@ TEST(ContourNesting, area_of_polygons_is_that_of_the_section_along_any_direction
                 const double area = enclosed_area(set, nesting, direction);
                 EXPECT_GE(area, 0) << shape.name;
                 EXPECT_NEAR(area, signed_area(set, direction), 1e-6 * (1 + area)) << shape.name;
+            }
+        }
+    }
+}
+
+TEST(ContourNesting, area_of_polygons_is_that_of_the_section_for_public_models) {
+    const std::filesystem::path folder = STRATAREEB_SOURCE_DIR "/../shared/data/models";
+    if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not there";
+    for (const char* name :
+         {"3holes_g3", "adis16480_g24", "block_g3", "casting_g9", "elephant_g3", "fertility_g4",
+          "gears_7comp", "menger1_g5", "menger2_g81", "plate3x3_axis_g9", "torus60x30_flat_g1"}) {
+        const TriMesh mesh = half_edge_mesh(read_mesh(folder / (std::string(name) + ".ply")));
+        for (const Point3& direction : {Point3{0, 0, 1}, Point3{1, 0, 0}, Point3{0.3, -0.5, 1}}) {
+            const auto field = height_field(mesh, direction);
+            auto levels = even_levels(field, 20);
+            for (std::size_t v = 0; v < field.size(); v += field.size() / 20) levels.push_back(field[v]);
+            for (const auto& set : level_sets(mesh, field, levels)) {
+                const auto nesting = nest_contours(set, direction);
+                expect_sound(set, nesting);
+                const double area = signed_area(set, direction);
+                EXPECT_NEAR(enclosed_area(set, nesting, direction), area, 1e-9 * (area + 1)) << name;
             }
         }
     }
