@@ -8,7 +8,9 @@
 #include <string_view>
 
 #include "boreholes/errors.h"
+#include "reeb/coarse_to_fine.h"
 #include "reeb/greedy_band.h"
+#include "reeb/pinched_band.h"
 #include "reeb/shortest_cycle.h"
 #include "reeb/stair_paths.h"
 
@@ -82,7 +84,6 @@ SpanPath open_path(const SpanContours& c) {
 }
 
 SpanPath greedy(const SpanContours& c, const BandOptions& options) {
-    if (!options.closed) return greedy_path(c, 0, 0);
     if (!options.first_span) return greedy_path(c, 0, nearest_lower_point(c, 0));
     const auto [i, j] = *options.first_span;
     if (i >= c.upper.size() || j >= c.lower.size())
@@ -93,8 +94,15 @@ SpanPath greedy(const SpanContours& c, const BandOptions& options) {
 
 SpanPath path_between(const SpanContours& c, const BandOptions& options) {
     if (options.closed && (c.upper.size() == 1 || c.lower.size() == 1)) return fan(c);
-    if (options.method == BandMethod::Greedy) return greedy(c, options);
-    return options.closed ? shortest_cycle(c) : open_path(c);
+    const bool is_greedy = options.method == BandMethod::Greedy;
+    if (!options.closed) return is_greedy ? greedy_path(c, 0, 0) : open_path(c);
+    SpanPath path = is_greedy ? greedy(c, options) : shortest_cycle(c);
+    if (!is_pinched(path)) return path;
+    path = opened(path, c);
+    if (is_greedy) return path;
+    for (const SpanPath& other : {coarse_to_fine_cycle(c), greedy_path(c, 0, nearest_lower_point(c, 0))})
+        if (other.cost < path.cost && !is_pinched(other)) path = other;
+    return path;
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace stratareeb {
 
 enum class BandMethod {
-    Exact,   // the least cost over all triangulations with any first span
+    Exact,   // the least cost over all triangulations with any first span (all but cones, see toroidal_band)
     Greedy,  // fast: the shorter of the two next spans, again and again
 };
 
@@ -39,7 +39,8 @@ struct Band {
 //! upper to a lower point, its arcs the triangles with an edge on one contour and a corner on the other, so that no triangle
 //! can have anything else (thesis, 2.1.2.2). Closed contours of m and n points give a closed band of m + n triangles, open
 //! polylines m + n - 2. A contour of one point gives a fan: the cap of the other contour. Points may coincide; triangles then
-//! have no area. For time and memory see shortest_cycle; open polylines: m n steps, a bit each.
+//! have no area. Every span is an edge of two triangles: a cheaper band of two cones that meet in one span (contours side by
+//! side have one) is opened there, by the step that costs least. For time and memory see shortest_cycle; open polylines: m n steps, a bit each.
 //! \throw InvalidInput
 //! if a contour is empty, or a coordinate or parameter is not a finite number or too large to square twice.
 Band toroidal_band(std::span<const Point3> upper, std::span<const Point3> lower,
