@@ -57,18 +57,26 @@ struct Box {
     }
 };
 
+constexpr double kNoArea = 1e-9;  // of the areas added up: rounding alone
+
 struct Ring {
     std::uint32_t contour = 0;
     std::vector<Point2> points;
     Box box;
+    double area = 0;  // positive if counter-clockwise
 };
 
 Ring ring_of(const LevelSet& set, std::uint32_t contour, const PlaneView& view) {
-    Ring ring{.contour = contour, .points = {}, .box = {}};
+    Ring ring{.contour = contour, .points = {}, .box = {}, .area = 0};
     ring.points.reserve(set.contours[contour].points.size());
     for (const Point3& p : set.contours[contour].points) {
         ring.points.push_back(view(p));
         ring.box.add(ring.points.back());
+    }
+    const Point2 o = ring.points.front();
+    for (std::size_t i = 1; i + 1 < ring.points.size(); ++i) {
+        const Point2 &a = ring.points[i], &b = ring.points[i + 1];
+        ring.area += ((a.x - o.x) * (b.y - o.y) - (b.x - o.x) * (a.y - o.y)) / 2;
     }
     return ring;
 }
@@ -91,14 +99,16 @@ Probe probe_of(const std::vector<Ring>& rings, std::uint32_t r) {
     return probe;
 }
 
-//! Is the segment a-b, not upright, below the probe? One that runs through it belongs to a ring on the other side of a
-//! ridge: just below the level both have moved to their right, so that the probe is on the left of the segment.
-bool is_below(const Point2& a, const Point2& b, const Probe& probe) {
-    const Point2 p = probe.at;
+//! Is it the probe's own segment, in its ring or in another?
+bool is_segment_of(const Point2& a, const Point2& b, const Probe& probe) {
+    return (a == probe.from && b == probe.to) || (a == probe.to && b == probe.from);
+}
+
+//! Is the segment a-b, not upright, below the place?
+bool is_below(const Point2& a, const Point2& b, const Point2& p) {
     if (std::max(a.y, b.y) < p.y) return true;
     if (std::min(a.y, b.y) > p.y) return false;
     const bool rightward = a.x < b.x;
-    if ((a == probe.from && b == probe.to) || (a == probe.to && b == probe.from)) return rightward;
     const Point2 &left = rightward ? a : b, &right = rightward ? b : a;
     const double turn = (right.x - left.x) * (p.y - left.y) - (right.y - left.y) * (p.x - left.x);
     return turn == 0 ? rightward : turn > 0;
@@ -107,7 +117,11 @@ bool is_below(const Point2& a, const Point2& b, const Probe& probe) {
 //! For each ring the rings around it: those of which an odd number of segments lie below its probe.
 class Enclosures {
  public:
-    explicit Enclosures(const std::vector<Ring>& rings) : rings_(rings), around_(rings.size()) {
+    Enclosures(const std::vector<Ring>& rings, bool with_open_contours)
+        : rings_(rings), faces_up_(with_open_contours), around_(rings.size()) {
+        double area = 0, total = 0;
+        for (const Ring& ring : rings) area += ring.area, total += std::abs(ring.area);
+        outside_is_high_ = area < -kNoArea * total;
         for (std::uint32_t r = 0; r < rings.size(); ++r) probes_.push_back(probe_of(rings, r));
         std::ranges::stable_sort(probes_, {}, [](const Probe& probe) { return probe.at.x; });
         odd_.assign(probes_.size(), 0);
@@ -157,12 +171,36 @@ class Enclosures {
     }
 
     void pass(std::uint32_t ring, const Point2& a, const Point2& b, std::size_t k) {
-        if (!may_hold(ring, probes_[k]) || !is_below(a, b, probes_[k])) return;
+        const Probe& probe = probes_[k];
+        if (!may_hold(ring, probe)) return;
+        // Two rings along one segment run on the two sides of a ridge. Just below the level both have moved to their right,
+        // so that the probe is on the left of the other's segment; under a ridge of a cavity's roof it is the other way.
+        const bool below =
+            is_segment_of(a, b, probe) ? (a.x < b.x) == is_ridge(probe) : is_below(a, b, probe.at);
+        if (!below) return;
         odd_[k] ^= 1;
         if (odd_[k]) passed_.push_back(k);
     }
 
+    //! Is there lower ground beside a segment shared by two rings? High and low take turns from the outside in. Such
+    //! segments are rare; with open contours there may be no outside, and the surface is taken to face up.
+    bool is_ridge(const Probe& probe) const {
+        if (faces_up_) return true;
+        bool is_high = outside_is_high_;
+        for (const Ring& ring : rings_) {
+            Point2 a = ring.points.back();
+            for (const Point2& b : ring.points) {
+                if ((a.x <= probe.at.x) != (b.x <= probe.at.x) && !is_segment_of(a, b, probe) &&
+                    is_below(a, b, probe.at))
+                    is_high = !is_high;
+                a = b;
+            }
+        }
+        return !is_high;
+    }
+
     const std::vector<Ring>& rings_;
+    bool faces_up_ = false, outside_is_high_ = false;
     std::vector<Probe> probes_;  // from left to right
     std::vector<std::uint8_t> odd_;
     std::vector<std::size_t> passed_;
@@ -215,7 +253,7 @@ ContourNesting nest_contours(const LevelSet& set, const Point3& direction) {
         else
             nesting.open.push_back(c);
     }
-    if (rings.size() > 1) set_parents(rings, Enclosures(rings).around(), nesting);
+    if (rings.size() > 1) set_parents(rings, Enclosures(rings, !nesting.open.empty()).around(), nesting);
     set_polygons(rings, nesting);
     return nesting;
 }

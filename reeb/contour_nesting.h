@@ -28,8 +28,9 @@ struct ContourNesting {
 
 //! Nest the closed contours of a level set of height along a direction, seen from its tip. Where contours touch, at a vertex
 //! or along a ridge of exactly that height, the answer is that for the level just below, as the contours run there: a ring
-//! and its hole that both have shrunk to one ridge are still nested. Contours that cross, as those of a surface that
-//! intersects itself may, get some forest, the same in every run.
+//! and its hole that both have shrunk to one ridge are still nested. (Rings alone in the plane that are shared whole are taken
+//! to be of a surface wound outward, and touching rings beside open contours of one that faces the direction.) Contours that
+//! cross, as those of a surface that intersects itself may, get some forest, the same in every run.
 //! Time: the number of points, and for each contour the number of segments above or below one of its points.
 //! \throw InvalidInput if the direction is zero or not finite.
 ContourNesting nest_contours(const LevelSet& set, const Point3& direction = {0, 0, 1});

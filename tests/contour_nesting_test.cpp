@@ -134,6 +134,17 @@ TEST(ContourNesting, agrees_with_all_pairs_on_thousands_of_contours_at_once) {
     EXPECT_EQ(nest_contours(many).parent, parents_by_all_pairs(many));
 }
 
+//! Just below a level the same edges are crossed as at the level, so the contours are the same but for those around summits
+//! of that height.
+LevelSet without_points(LevelSet set) {
+    std::erase_if(set.contours, [](const Contour& contour) {
+        return std::ranges::all_of(contour.points, [&](const Point3& p) {
+            return std::abs(p.x - contour.points[0].x) + std::abs(p.y - contour.points[0].y) < 1e-4;
+        });
+    });
+    return set;
+}
+
 TEST(ContourNesting, at_the_height_of_vertices_is_that_of_the_level_just_below) {
     std::mt19937_64 random(13);
     std::size_t touching = 0;
@@ -147,13 +158,7 @@ TEST(ContourNesting, at_the_height_of_vertices_is_that_of_the_level_just_below) 
             n, [&](double x, double y) { return height[std::size_t(y) * (n + 1) + std::size_t(x)]; });
         const double level = static_cast<double>(1 + random() % (heights - 1));
         const auto exact = level_of(soup, level);
-        auto below = level_of(soup, level - 1e-5);
-        // The same edges are crossed, so the contours are the same but for the ones around single summits.
-        std::erase_if(below.contours, [&](const Contour& contour) {
-            return std::ranges::all_of(contour.points, [&](const Point3& p) {
-                return std::abs(p.x - contour.points[0].x) + std::abs(p.y - contour.points[0].y) < 1e-4;
-            });
-        });
+        const auto below = without_points(level_of(soup, level - 1e-5));
         ASSERT_EQ(exact.contours.size(), below.contours.size());
         const auto nesting = nest_contours(exact);
         expect_sound(exact, nesting);
@@ -183,6 +188,49 @@ TEST(ContourNesting, a_torus_cut_along_its_top_circle_is_a_ring_with_a_hole) {
         EXPECT_LT(set.contours[nesting.polygons[0].holes.at(0)].plan_area(), 0);
         EXPECT_NEAR(enclosed_area(set, nesting), 0, 1e-12);
     }
+}
+
+TEST(ContourNesting, a_hollow_torus_cut_along_its_top_circle_is_a_hole_with_an_island) {
+    const auto torus = shapes::torus(3, 1, 30, 12);
+    double top = 0;
+    for (const auto& p : torus.points) top = std::max(top, p.z);
+    auto soup =
+        shapes::joined(shapes::turned_over(torus), shapes::moved(shapes::slab(10, 10, 10), -5, -5, -5));
+    for (const bool inside_out : {false, true}) {
+        const auto set = level_of(inside_out ? shapes::turned_over(soup) : soup, top);
+        ASSERT_EQ(set.contours.size(), 3u);
+        const auto nesting = nest_contours(set);
+        expect_sound(set, nesting);
+        ASSERT_EQ(nesting.polygons.size(), 2u);
+        for (std::uint32_t c = 0; c < 3; ++c) {
+            const double area = set.contours[c].plan_area() * (inside_out ? -1 : 1);
+            EXPECT_EQ(nesting.depth[c], area > 99 ? 0u : area < 0 ? 1u : 2u);
+        }
+        EXPECT_NEAR(enclosed_area(set, nesting), 100, 1e-12);
+    }
+}
+
+TEST(ContourNesting, of_solids_at_the_height_of_vertices_is_that_of_the_level_just_below) {
+    std::mt19937_64 random(17);
+    std::size_t nested = 0;
+    for (int round = 0; round < 400; ++round) {
+        const auto n = static_cast<shapes::Index>(3 + random() % 10);
+        std::vector<double> height(std::size_t(n + 1) * (n + 1));
+        for (double& h : height) h = static_cast<double>(random() % 4);
+        if (round % 2) add_waves(height, n, 2);
+        auto soup = shapes::terrain_solid(
+            n, 1, [&](double x, double y) { return height[std::size_t(y) * (n + 1) + std::size_t(x)]; });
+        if (round % 3 == 0) soup = shapes::turned_over(soup);
+        const double level = static_cast<double>(random() % 3);
+        const auto exact = level_of(soup, level);
+        const auto below = without_points(level_of(soup, level - 1e-5));
+        ASSERT_EQ(exact.contours.size(), below.contours.size());
+        const auto nesting = nest_contours(exact);
+        expect_sound(exact, nesting);
+        ASSERT_EQ(nesting.parent, parents_by_all_pairs(below)) << "round " << round;
+        nested += static_cast<std::size_t>(std::ranges::count(nesting.depth, 1u));
+    }
+    EXPECT_GT(nested, 100u);
 }
 
 TEST(ContourNesting, finds_cavities_in_bodies_in_cavities) {
@@ -257,7 +305,7 @@ TEST(ContourNesting, area_of_polygons_is_that_of_the_section_for_public_models) 
             for (const auto& set : level_sets(mesh, field, levels)) {
                 const auto nesting = nest_contours(set, direction);
                 expect_sound(set, nesting);
-                const double area = signed_area(set, direction);
+                const double area = std::abs(signed_area(set, direction));  // one model is wound inward
                 EXPECT_NEAR(enclosed_area(set, nesting, direction), area, 1e-9 * (area + 1)) << name;
             }
         }
