@@ -32,17 +32,14 @@ class CheapestStart {
         : finder_(finder), corridor_(corridor), starts_(starts), height_(height) {}
 
     std::optional<StairPath> find() {
-        const std::size_t middle = starts_.size() / 2;
         if (starts_.empty()) return std::nullopt;
-        const auto path = look_at(middle, nullptr, nullptr);
-        if (!path) {  // nothing to divide by
-            divide(0, middle, nullptr, nullptr);
-            divide(middle + 1, starts_.size(), nullptr, nullptr);
+        const auto first = look_at(0, nullptr, nullptr);
+        if (!first) {  // nothing to divide by
+            divide(1, starts_.size(), nullptr, nullptr);
             return best_;
         }
-        const StairPath before = one_turn_on(*path, -height_), after = one_turn_on(*path, height_);
-        divide(0, middle, &before, &*path);
-        divide(middle + 1, starts_.size(), &*path, &after);
+        const StairPath next_turn = one_turn_on(*first, height_);
+        divide(1, starts_.size(), &*first, &next_turn);
         return best_;
     }
 

@@ -45,8 +45,8 @@ class SpanCosts {
     std::array<double, 2> arrivals(std::ptrdiff_t i, std::ptrdiff_t j) const;
 
  private:
-    void fill_arrivals(std::ptrdiff_t k, std::ptrdiff_t lo, std::ptrdiff_t count, double* up,
-                       double* low) const;
+    double span(std::ptrdiff_t i,
+                std::ptrdiff_t slot) const;  // the cost of coming to it, if that is not an area
 
     std::ptrdiff_t rows_ = 0, columns_ = 0;
     BandCost cost_;
