@@ -37,7 +37,7 @@ ContourHomotopy::ContourHomotopy(std::vector<SampledContour> contours, std::vect
     }
     for (const auto& contour : contours_) {
         check_contour(contour);
-        means_.push_back(mean_point(contour));
+        means_.push_back({mean_point(contour)});
     }
 }
 
@@ -46,19 +46,25 @@ double ContourHomotopy::level(std::size_t interval, double t) const {
     return t == 1 ? high : low + t * (high - low);
 }
 
-//! The sum of corresponding points, as differences from the first of them: far from the origin nothing is lost.
-template <typename PointOf>
-Point3 ContourHomotopy::mixed(std::size_t interval, double t, std::span<const ContourWeight> weights,
-                              PointOf point_of) const {
-    if (weights.size() == 1) return point_of(weights[0].contour);
-    const Point3 base = point_of(interval);
-    Point3 sum = base;
-    sum.z = level(interval, t);
+//! Sums of corresponding points, as differences from those of the lower contour: far from the origin nothing is lost.
+//! `given[i]`: the points of contour i, for each i that has a weight.
+std::vector<Point3> ContourHomotopy::mixed(std::size_t interval, double t,
+                                           std::span<const ContourWeight> weights,
+                                           std::span<const std::vector<Point3>> given) const {
+    if (weights.size() == 1) return given[weights[0].contour];
+    const auto& base = given[interval];
+    auto sums = base;
+    for (Point3& p : sums) p.z = level(interval, t);
     for (const auto& [i, weight] : weights) {
-        const Point3 p = point_of(i);
-        sum += Point3{weight * (p.x - base.x), weight * (p.y - base.y), weight * (p.z - levels_[i])};
+        const auto& points = given[i];
+        const double height = levels_[i];
+        for (std::size_t k = 0; k < sums.size(); ++k) {
+            sums[k].x += weight * (points[k].x - base[k].x);
+            sums[k].y += weight * (points[k].y - base[k].y);
+            sums[k].z += weight * (points[k].z - height);
+        }
     }
-    return sum;
+    return sums;
 }
 
 Point3 ContourHomotopy::at(double s, std::size_t interval, double t) const {
@@ -66,7 +72,7 @@ Point3 ContourHomotopy::at(double s, std::size_t interval, double t) const {
 }
 
 Point3 ContourHomotopy::mean(std::size_t interval, double t) const {
-    return mixed(interval, t, weights_.at(interval, t), [&](std::size_t i) { return means_[i]; });
+    return mixed(interval, t, weights_.at(interval, t), means_).front();
 }
 
 std::vector<Point3> ContourHomotopy::contour_at(std::span<const double> s, std::size_t interval,
@@ -84,13 +90,7 @@ std::vector<SampledContour> ContourHomotopy::contours_at(std::span<const double>
         for (const auto& part : weights) {
             if (given[part.contour].empty()) given[part.contour] = points_at(contours_[part.contour], s);
         }
-        SampledContour contour{{}, {s.begin(), s.end()}};
-        contour.points.reserve(s.size());
-        for (std::size_t k = 0; k < s.size(); ++k) {
-            contour.points.push_back(
-                mixed(interval, share, weights, [&](std::size_t i) { return given[i][k]; }));
-        }
-        result.push_back(std::move(contour));
+        result.push_back({mixed(interval, share, weights, given), {s.begin(), s.end()}});
     }
     return result;
 }

@@ -45,9 +45,8 @@ class ContourHomotopy {
     Point3 mean(std::size_t interval, double t) const;
 
  private:
-    template <typename PointOf>
-    Point3 mixed(std::size_t interval, double t, std::span<const ContourWeight> weights,
-                 PointOf point_of) const;
+    std::vector<Point3> mixed(std::size_t interval, double t, std::span<const ContourWeight> weights,
+                              std::span<const std::vector<Point3>> given) const;
     std::vector<SampledContour> contours_at(std::span<const double> s, std::size_t interval,
                                             std::span<const double> t) const;
     const std::vector<double>& parameters_near(std::size_t interval, double t) const;
@@ -55,7 +54,7 @@ class ContourHomotopy {
     std::vector<SampledContour> contours_;
     std::vector<double> levels_;
     HomotopyWeights weights_;
-    std::vector<Point3> means_;  // of the contours
+    std::vector<std::vector<Point3>> means_;  // one point per contour
 };
 
 //! An interval and the share of it.
