@@ -14,6 +14,8 @@ namespace stratareeb {
 
 namespace {
 
+constexpr std::ptrdiff_t kFewSpans = 2;  // that are faster one by one than with meaningless ones
+
 double area(const HalfEdgesAndSpans& s, std::ptrdiff_t i) {
     const double x = s.to[0][i] - s.from[0][i], y = s.to[1][i] - s.from[1][i], z = s.to[2][i] - s.from[2][i];
     const double ex = s.half_edge[0][i], ey = s.half_edge[1][i], ez = s.half_edge[2][i];
@@ -103,8 +105,11 @@ double triangle_area(const HalfEdgesAndSpans& triangles) {
 
 void relax_areas(const HalfEdgesAndSpans& up, const HalfEdgesAndSpans& low, const double* up_from,
                  const double* low_from, std::ptrdiff_t count, double* to, std::uint8_t* steps) {
+    const std::ptrdiff_t left_over = count % 8;
+    if (left_over > kFewSpans) count += 8 - left_over;
     relax_eights(up, low, up_from, low_from, count, to, steps);
-    const std::ptrdiff_t rest = count / 8 * 8;
+    if (left_over > kFewSpans) return;
+    const std::ptrdiff_t rest = count - left_over;
     unsigned bits = 0;
     for (std::ptrdiff_t i = rest; i < count; ++i)
         bits |= relax_one(up, low, up_from, low_from, i, to) << (i - rest);

@@ -7,6 +7,8 @@
 
 namespace stratareeb {
 
+constexpr std::ptrdiff_t kSweepPadding = 8;
+
 //! x, y, z of points in three arrays.
 using Axes = std::array<const double*, 3>;
 
@@ -19,7 +21,8 @@ struct HalfEdgesAndSpans {
 double triangle_area(const HalfEdgesAndSpans& triangles);
 
 //! to[i] = min(up_from[i] + area of up triangle i, low_from[i] + area of low triangle i) for `count` indices; bit i of `steps`,
-//! if given, says that the second is not larger. Results are the same to the last bit on all machines.
+//! if given, says that the second is not larger. All arrays go on for kSweepPadding more, which are read, and written in `to`,
+//! with no meaning. Results are the same to the last bit on all machines.
 void relax_areas(const HalfEdgesAndSpans& up, const HalfEdgesAndSpans& low, const double* up_from,
                  const double* low_from, std::ptrdiff_t count, double* to, std::uint8_t* steps);
 

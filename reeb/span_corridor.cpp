@@ -10,6 +10,7 @@ namespace stratareeb {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kSmallest = 1e-300;         // cost whose reciprocal is a number
 constexpr std::size_t kFewSpans = 1u << 16;  // that are kept however few spans the graph has
 
 std::size_t index(std::ptrdiff_t i) {
@@ -25,7 +26,7 @@ SpanCorridor::SpanCorridor(const SpanCosts& costs, const StepBounds& bounds, con
       height_(costs.rows() / 2),
       starts_(index(height_)),
       turn_(bounds.upper[index(height_)]),
-      from_(index(costs.rows()) + 3),
+      from_(costs.array_size()),
       to_(from_.size()),
       capacity_(index(height_) * index(costs.columns()) / 2 + kFewSpans) {
     std::iota(starts_.begin(), starts_.end(), 0);
@@ -43,7 +44,7 @@ void SpanCorridor::narrow(double cost) {
     const double rounding =
         8 * terms * std::numeric_limits<double>::epsilon() + 8.0 * std::numeric_limits<float>::epsilon();
     limit_ = cost * (1 + rounding) - turn_;
-    unit_ = cost > 0 ? cost : 1;
+    unit_ = cost > kSmallest ? cost : 1;
     sweep_forward();
     sweep_backward();
 }
@@ -74,8 +75,9 @@ void SpanCorridor::keep(std::size_t t, const Front& front) {
     if (first_reached_[t + 1] > capacity_) return;
     if (!reached_) reached_ = std::make_unique_for_overwrite<float[]>(capacity_);
     float* to = reached_.get() + first_reached_[t];
-    for (std::size_t i = 0; i < count; ++i)
-        to[i] = static_cast<float>(front.cost[front.lo + static_cast<std::ptrdiff_t>(i)] / unit_);
+    const double* from = front.cost + front.lo;
+    const double scale = 1 / unit_;
+    for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<float>(from[i] * scale);
 }
 
 //! The cheapest path from a start to each span, prices paid.

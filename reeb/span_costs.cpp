@@ -24,8 +24,8 @@ SpanCosts::SpanCosts(const SpanContours& contours, std::uint32_t first_upper, st
     const auto fill = [&](std::size_t first, std::size_t count, bool backward, std::span<const Point3> points,
                           std::span<const double> parameters, auto& places, auto& edges) {
         const std::size_t size = points.size();
-        for (auto& axis : places) axis.resize(count);
-        for (auto& axis : edges) axis.resize(count);
+        for (auto& axis : places) axis.resize(count + kSweepPadding);
+        for (auto& axis : edges) axis.resize(count + kSweepPadding);
         for (std::size_t i = 0; i < count; ++i) {
             const std::size_t here = (first + i) % size, before = (here + size - 1) % size;
             const std::size_t slot = backward ? count - 1 - i : i;
@@ -44,6 +44,10 @@ SpanCosts::SpanCosts(const SpanContours& contours, std::uint32_t first_upper, st
          upper_, upper_edge_);
     fill(first_lower, static_cast<std::size_t>(columns_) + 2, true, contours.lower, contours.lower_parameters,
          lower_, lower_edge_);
+}
+
+std::size_t SpanCosts::array_size() const {
+    return static_cast<std::size_t>(rows_ + 3 + kSweepPadding);
 }
 
 double SpanCosts::span(std::ptrdiff_t i, std::ptrdiff_t slot) const {

@@ -31,6 +31,9 @@ class SpanCosts {
     std::ptrdiff_t rows() const { return rows_; }
     std::ptrdiff_t columns() const { return columns_; }
 
+    //! How long the arrays by row below must be from row -1 on, for advance and retreat.
+    std::size_t array_size() const;
+
     //! Costs of the shortest paths to antidiagonal k, rows lo … hi, from those to k - 1, rows lo - 1 … hi (infinite where no
     //! path leads). Arrays are indexed by row. If `steps` is given, bit i - lo says that the lower end moved in the last step.
     void advance(std::ptrdiff_t k, std::ptrdiff_t lo, std::ptrdiff_t hi, const double* from, double* to,

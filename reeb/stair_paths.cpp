@@ -44,8 +44,8 @@ std::size_t Corridor::spans() const {
 StairPathFinder::StairPathFinder(const SpanCosts& costs, std::ptrdiff_t height)
     : costs_(costs),
       height_(height),
-      from_(static_cast<std::size_t>(costs.rows()) + 3),
-      to_(static_cast<std::size_t>(costs.rows()) + 3) {}
+      from_(costs.array_size()),
+      to_(costs.array_size()) {}
 
 void StairPathFinder::bound_rows(std::ptrdiff_t start, const Corridor& corridor, const StairPath* left,
                                  const StairPath* right) {

@@ -41,7 +41,7 @@ class Fans {
           start_(height_ / 2),
           spine_(cycle, start_, height_),
           reach_(std::clamp<std::ptrdiff_t>(height_ / kReachShare, 1, kReach)),
-          from_(static_cast<std::size_t>(costs.rows()) + 3),
+          from_(costs.array_size()),
           to_(from_.size()) {
         reach_ = std::min(reach_, height_ - start_ - 1);
         reach_ = std::min(reach_, start_);
