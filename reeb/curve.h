@@ -33,7 +33,7 @@ struct Curve {
 
     int degree = 3;  // of a NURBS curve
     std::vector<double>
-        knots;  // points.size() + degree + 1, ascending; none = uniform (clamped; periodic if closed)
+        knots;  // points + degree + 1, ascending; none = uniform (clamped; periodic if closed)
     std::vector<double> weights;  // one per point, > 0; none = all 1
 
     double tension = 0.5;  // of a Cardinal spline: the thesis's a
@@ -53,7 +53,7 @@ std::optional<CurveKind> curve_kind(std::string_view name);
 //! range of knots mapped to [0, 1]; a circle's t is its angle / 2 pi from its frame's x axis (plane_frame of `normal`).
 //!
 //! Continuity: Bezier and circle smooth; Cardinal C1; NURBS C^(degree - multiplicity) at a knot; Catmull-Rom C1 if a = b,
-//! else only C0: the tangents at a joint are (1 - b) and b parts of its chords seen from one side, (1 - a) and a parts from the other.
+//! else only C0: a joint's tangent mixes its two chords by (1 - b, b) for the piece before and by (1 - a, a) for the one after.
 //! At an open spline's ends a point is added that mirrors the second in the first.
 //!
 //! Against the printed formulas: the Catmull-Rom vector's last entry is d_{i+1}; the B-spline recursion starts at degree 1,
@@ -79,6 +79,7 @@ class ParametricCurve {
     //! \pre kind is Polyline, Cardinal or CatmullRom.
     std::array<Point3, 4> cubic(std::size_t i) const;
 
+    //! The curve as made ready (prepared_curve), not as given: a periodic NURBS curve's points stand repeated, for one.
     const Curve& curve() const { return curve_; }
 
  private:

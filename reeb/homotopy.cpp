@@ -23,7 +23,7 @@ double mean_distance(const SampledContour& a, const SampledContour& b) {
 
 }  // namespace
 
-ContourHomotopy::ContourHomotopy(std::vector<SampledContour> contours, std::vector<double> heights,
+ContourHomotopy::ContourHomotopy(std::vector<SampledContour> contours, const std::vector<double>& heights,
                                  const HomotopyOptions& options)
     : ContourHomotopy(std::move(contours), heights, heights, options) {}
 

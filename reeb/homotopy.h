@@ -19,7 +19,7 @@ class ContourHomotopy {
  public:
     //! Vertical interpolation: contours bottom to top, corresponding (corresponding_contours), and their heights.
     //! \throw InvalidInput if a contour is none, counts differ, there are fewer than two or heights don't rise.
-    ContourHomotopy(std::vector<SampledContour> contours, std::vector<double> heights,
+    ContourHomotopy(std::vector<SampledContour> contours, const std::vector<double>& heights,
                     const HomotopyOptions& options = {});
     //! The same with other places than heights to run over: contour i is at places[i] and at height levels[i].
     ContourHomotopy(std::vector<SampledContour> contours, std::vector<double> places,

@@ -12,7 +12,7 @@
 namespace stratareeb {
 namespace {
 
-void move(std::vector<Point3>& points, const Point3& by) {
+void shift(std::vector<Point3>& points, const Point3& by) {
     if (by == Point3{}) return;  // a given contour stays as it is, to the sign of its zeros
     for (Point3& p : points) p += by;
 }
@@ -50,13 +50,13 @@ Point3 SlidingHomotopy::at(double s, std::size_t interval, double t) const {
 std::vector<Point3> SlidingHomotopy::contour_at(std::span<const double> s, std::size_t interval,
                                                 double t) const {
     auto points = homotopy_.contour_at(s, interval, t);
-    move(points, sliding_vector(interval, t));
+    shift(points, sliding_vector(interval, t));
     return points;
 }
 
 SampledContour SlidingHomotopy::contour(std::size_t interval, double t) const {
     auto contour = homotopy_.contour(interval, t);
-    move(contour.points, sliding_vector(interval, t));
+    shift(contour.points, sliding_vector(interval, t));
     return contour;
 }
 
@@ -64,7 +64,7 @@ std::vector<SampledContour> SlidingHomotopy::contours_between(std::size_t interv
     auto contours = homotopy_.contours_between(interval, steps);
     for (std::size_t i = 0; i < contours.size(); ++i) {
         const double t = static_cast<double>(i + 1) / static_cast<double>(steps);
-        move(contours[i].points, sliding_vector(interval, t));
+        shift(contours[i].points, sliding_vector(interval, t));
     }
     return contours;
 }
