@@ -1,35 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/write_graph.h"
 
-#include <nlohmann/json.hpp>
-
 #include "boreholes/errors.h"
 #include "io/text_output.h"
 #include "io/write_aside.h"
+#include "io/write_graph_json.h"
 
 namespace stratareeb {
 
 namespace {
-
-const TriMesh::Point& place(const TriMesh& mesh, const ReebNode& node) {
-    return mesh.point(TriMesh::VertexHandle(static_cast<int>(node.vertex)));
-}
-
-void write_json(std::ostream& stream, const ReebGraph& graph, const TriMesh& mesh) {
-    nlohmann::ordered_json json{{"nodes", nlohmann::ordered_json::array()},
-                                {"arcs", nlohmann::ordered_json::array()}};
-    for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
-        const ReebNode& node = graph.nodes[i];
-        const auto& p = place(mesh, node);
-        json["nodes"].push_back({{"id", i},
-                                 {"vertex", node.vertex},
-                                 {"position", {p[0], p[1], p[2]}},
-                                 {"value", node.value},
-                                 {"type", type_name(node.type)}});
-    }
-    for (const ReebArc& arc : graph.arcs) json["arcs"].push_back({{"from", arc.lower}, {"to", arc.upper}});
-    stream << json.dump(1) << '\n';
-}
 
 void write_dot(std::ostream& stream, const ReebGraph& graph) {
     TextOutput out(stream);
@@ -52,13 +31,14 @@ void write_graphml(std::ostream& stream, const ReebGraph& graph, const TriMesh& 
         "<key id=\"type\" for=\"node\" attr.name=\"type\" attr.type=\"string\"/>\n<graph id=\"reeb\" "
         "edgedefault=\"undirected\">\n");
     for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
-        const auto& p = place(mesh, graph.nodes[i]);
+        const Point3 p = node_place(mesh, graph.nodes[i]);
         out.print(
             "<node id=\"n{}\"><data key=\"x\">{}</data><data key=\"y\">{}</data><data "
             "key=\"z\">{}</data><data key=\"value\">{}</data>"
             "<data key=\"type\">{}</data></node>\n",
-            i, p[0], p[1], p[2], graph.nodes[i].value, type_name(graph.nodes[i].type));
+            i, p.x, p.y, p.z, graph.nodes[i].value, type_name(graph.nodes[i].type));
     }
+    // Readers keep edges between the same nodes apart by their ids.
     for (std::size_t i = 0; i < graph.arcs.size(); ++i)
         out.print("<edge id=\"e{}\" source=\"n{}\" target=\"n{}\"/>\n", i, graph.arcs[i].lower,
                   graph.arcs[i].upper);
@@ -71,14 +51,23 @@ const char* type_name(CriticalType type) {
     return type == CriticalType::Minimum ? "minimum" : type == CriticalType::Saddle ? "saddle" : "maximum";
 }
 
-void write_graph(const std::filesystem::path& file, const ReebGraph& graph, const TriMesh& mesh) {
-    const std::string extension = file.extension().string();
-    if (extension != ".json" && extension != ".dot" && extension != ".graphml")
+Point3 node_place(const TriMesh& mesh, const ReebNode& node) {
+    const auto& p = mesh.point(TriMesh::VertexHandle(static_cast<int>(node.vertex)));
+    return {p[0], p[1], p[2]};
+}
+
+bool is_graph_file(const std::filesystem::path& file) {
+    return file.extension() == ".json" || file.extension() == ".dot" || file.extension() == ".graphml";
+}
+
+void write_graph(const std::filesystem::path& file, const ReebGraph& graph, const TriMesh& mesh,
+                 const GraphDetails& details) {
+    if (!is_graph_file(file))
         throw IoError(file.string() + ": graphs are written as .json, .dot or .graphml");
     write_aside(file, [&](std::ostream& stream) {
-        if (extension == ".json")
-            write_json(stream, graph, mesh);
-        else if (extension == ".dot")
+        if (file.extension() == ".json")
+            write_graph_json(stream, graph, mesh, details);
+        else if (file.extension() == ".dot")
             write_dot(stream, graph);
         else
             write_graphml(stream, graph, mesh);

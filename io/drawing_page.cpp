@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/drawing_page.h"
+
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
+#include <cairo.h>
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "boreholes/errors.h"
+
+namespace stratareeb {
+
+namespace {
+
+constexpr double kPixels = 2;  // of a PNG a point
+
+cairo_status_t append(void* text, const unsigned char* data, unsigned length) {
+    static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(data), length);
+    return CAIRO_STATUS_SUCCESS;
+}
+
+cairo_surface_t* surface_for(const std::filesystem::path& file, std::string& bytes, double width,
+                             double height) {
+    if (file.extension() == ".svg") return cairo_svg_surface_create_for_stream(append, &bytes, width, height);
+    if (file.extension() == ".png")
+        return cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(kPixels * width),
+                                          static_cast<int>(kPixels * height));
+    if (file.extension() != ".pdf")
+        throw IoError(file.string() + ": drawings are written as .svg, .pdf or .png");
+    cairo_surface_t* surface = cairo_pdf_surface_create_for_stream(append, &bytes, width, height);
+    // The time of writing would make each run's file another one.
+    cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "1970-01-01T00:00:00Z");
+    return surface;
+}
+
+}  // namespace
+
+struct DrawingPage::Cairo {
+    bool is_png = false;
+    std::string bytes;
+    std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface{nullptr,
+                                                                               &cairo_surface_destroy};
+    std::unique_ptr<cairo_t, decltype(&cairo_destroy)> context{nullptr, &cairo_destroy};
+    cairo_t* get() const { return context.get(); }
+};
+
+DrawingPage::DrawingPage(const std::filesystem::path& file, double width, double height)
+    : cairo_(std::make_unique<Cairo>()) {
+    cairo_->is_png = file.extension() == ".png";
+    cairo_->surface.reset(surface_for(file, cairo_->bytes, width, height));
+    cairo_->context.reset(cairo_create(cairo_->surface.get()));
+    if (cairo_->is_png) cairo_scale(cairo_->get(), kPixels, kPixels);
+    cairo_set_line_join(cairo_->get(), CAIRO_LINE_JOIN_ROUND);
+    cairo_set_line_cap(cairo_->get(), CAIRO_LINE_CAP_ROUND);
+    cairo_set_fill_rule(cairo_->get(), CAIRO_FILL_RULE_EVEN_ODD);
+    ink({255, 255, 255});
+    cairo_paint(cairo_->get());
+}
+
+DrawingPage::~DrawingPage() = default;
+
+void DrawingPage::ink(const Rgb& color, double opacity) {
+    cairo_set_source_rgba(cairo_->get(), color[0] / 255.0, color[1] / 255.0, color[2] / 255.0, opacity);
+}
+void DrawingPage::line_width(double width) {
+    cairo_set_line_width(cairo_->get(), width);
+}
+void DrawingPage::move_to(double x, double y) {
+    cairo_move_to(cairo_->get(), x, y);
+}
+void DrawingPage::line_to(double x, double y) {
+    cairo_line_to(cairo_->get(), x, y);
+}
+void DrawingPage::curve_to(double x1, double y1, double x2, double y2, double x, double y) {
+    cairo_curve_to(cairo_->get(), x1, y1, x2, y2, x, y);
+}
+void DrawingPage::close() {
+    cairo_close_path(cairo_->get());
+}
+void DrawingPage::circle(double x, double y, double radius) {
+    cairo_new_sub_path(cairo_->get());
+    cairo_arc(cairo_->get(), x, y, radius, 0, 2 * std::numbers::pi);
+    close();
+}
+void DrawingPage::stroke() {
+    cairo_stroke(cairo_->get());
+}
+void DrawingPage::fill() {
+    cairo_fill(cairo_->get());
+}
+void DrawingPage::fill_and_keep() {
+    cairo_fill_preserve(cairo_->get());
+}
+void DrawingPage::clip_to(double x, double y, double width, double height) {
+    cairo_save(cairo_->get());
+    cairo_rectangle(cairo_->get(), x, y, width, height);
+    cairo_clip(cairo_->get());
+}
+void DrawingPage::end_clip() {
+    cairo_restore(cairo_->get());
+}
+
+void DrawingPage::text(double x, double y, const std::string& text, double size, TextAlign align, bool bold) {
+    cairo_select_font_face(cairo_->get(), "sans-serif", CAIRO_FONT_SLANT_NORMAL,
+                           bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(cairo_->get(), size);
+    cairo_text_extents_t extents;
+    cairo_text_extents(cairo_->get(), text.c_str(), &extents);
+    const double share = align == TextAlign::Left ? 0 : align == TextAlign::Middle ? 0.5 : 1;
+    cairo_move_to(cairo_->get(), x - share * extents.x_advance, y);
+    cairo_show_text(cairo_->get(), text.c_str());
+}
+
+std::string DrawingPage::finish() {
+    cairo_surface_flush(cairo_->surface.get());
+    if (cairo_->is_png) cairo_surface_write_to_png_stream(cairo_->surface.get(), append, &cairo_->bytes);
+    cairo_surface_finish(cairo_->surface.get());
+    for (const auto status : {cairo_status(cairo_->get()), cairo_surface_status(cairo_->surface.get())})
+        if (status != CAIRO_STATUS_SUCCESS)
+            throw IoError(fmt::format("the drawing can't be made: {}", cairo_status_to_string(status)));
+    return std::move(cairo_->bytes);
+}
+
+bool is_drawing_file(const std::filesystem::path& file) {
+    return file.extension() == ".svg" || file.extension() == ".pdf" || file.extension() == ".png";
+}
+
+}  // namespace stratareeb
