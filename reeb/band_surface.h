@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "mesh/triangle_soup.h"
+#include "reeb/sampled_contour.h"
+
+namespace stratareeb {
+
+//! A contour whose points are vertices of a surface. A single point is the tip of a cap.
+struct Ring {
+    SampledContour shape;
+    std::vector<std::uint32_t> vertices;
+};
+
+//! The same ring with parameters counted from `origin` (see with_origin of contours).
+Ring with_origin(const Ring& ring, double origin);
+
+enum class BandTriangulation {
+    Automatic,  // least area where that is quick, else greedy
+    Exact,      // least area
+    Greedy,     // shortest next span
+};
+
+//! A surface that grows band by band between rings.
+class BandSurface {
+ public:
+    //! Bands of no more than so many spans are triangulated exactly by BandTriangulation::Automatic.
+    static constexpr std::size_t kQuickSpans = 60'000;
+
+    explicit BandSurface(BandTriangulation triangulation) : triangulation_(triangulation) {}
+
+    std::uint32_t add_point(const Point3& p);
+    Ring add_ring(SampledContour shape);
+    //! What is added from now on belongs to this part.
+    void begin_part(std::uint32_t part) { part_ = part; }
+    //! Triangles between two rings, both counter-clockwise seen from above, facing outward, or inward around a hole. Rings with
+    //! equal parameters are joined parameter by parameter.
+    void add_band(const Ring& lower, const Ring& upper, bool is_hole);
+    //! The flat inside of a ring, facing up at a top.
+    //! \throw InvalidInput if the ring crosses or touches itself
+    void add_flat_cap(const Ring& ring, bool is_top, bool is_hole);
+
+    const std::vector<Point3>& points() const { return soup_.points; }
+    const TriangleSoup& soup() const { return soup_; }
+    const std::vector<std::uint32_t>& triangle_parts() const { return parts_; }
+
+ private:
+    void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, bool turned);
+    void join_equal_parameters(const Ring& lower, const Ring& upper, bool is_hole);
+
+    BandTriangulation triangulation_;
+    TriangleSoup soup_;
+    std::vector<std::uint32_t> parts_;  // by triangle
+    std::uint32_t part_ = 0;
+};
+
+}  // namespace stratareeb

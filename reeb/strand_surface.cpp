@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reeb/strand_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reeb/cap_profile.h"
+#include "reeb/correspondence.h"
+#include "reeb/point_math.h"
+#include "reeb/sliding_homotopy.h"
+
+namespace stratareeb {
+
+namespace {
+
+using Kind = StrandEnd::Kind;
+
+class StrandBuilder {
+ public:
+    StrandBuilder(BandSurface& surface, const Strand& strand, std::size_t steps)
+        : surface_(surface), strand_(strand), steps_(std::max<std::size_t>(steps, 1)) {}
+
+    void run() {
+        collect_rings();
+        align_rings();
+        if (rings_.size() > 1) make_homotopy();
+        add_end(strand_.bottom, false);
+        for (std::size_t k = 0; k + 1 < rings_.size(); ++k) add_between(k);
+        add_end(strand_.top, true);
+    }
+
+ private:
+    void collect_rings() {
+        if (strand_.bottom.kind == Kind::Ring) add_ring(*strand_.bottom.ring, strand_.bottom.node.z);
+        for (std::size_t k = 0; k < strand_.contours.size(); ++k) {
+            const bool first = k == 0, last = k + 1 == strand_.contours.size();
+            if (first && strand_.bottom.kind == Kind::Through)
+                add_ring(*strand_.bottom.ring, strand_.heights[k]);
+            else if (last && strand_.top.kind == Kind::Through)
+                add_ring(*strand_.top.ring, strand_.heights[k]);
+            else
+                add_ring(surface_.add_ring(strand_.contours[k]), strand_.heights[k]);
+        }
+        if (strand_.top.kind == Kind::Ring) add_ring(*strand_.top.ring, strand_.top.node.z);
+    }
+
+    void add_ring(Ring ring, double height) {
+        rings_.push_back(std::move(ring));
+        heights_.push_back(height);
+    }
+
+    void align_rings() {
+        for (std::size_t k = 1; k < rings_.size(); ++k) {
+            const Correspondence pair = correspond(rings_[k - 1].shape, rings_[k].shape);
+            rings_[k] = with_origin(rings_[k], pair.second - pair.first);
+        }
+    }
+
+    void make_homotopy() {
+        std::vector<SampledContour> shapes;
+        for (const Ring& ring : rings_) shapes.push_back(ring.shape);
+        homotopy_.emplace(std::move(shapes), heights_, strand_.homotopy);
+        if (strand_.lean) lean_.emplace(*strand_.lean);
+        if (lean_) sliding_.emplace(*homotopy_, *lean_);
+    }
+
+    bool is_bouquet(std::size_t k) const {
+        const bool at_bottom =
+            k == 0 && (strand_.bottom.kind == Kind::Ring || strand_.bottom.kind == Kind::Through);
+        const bool at_top =
+            k + 1 == rings_.size() && (strand_.top.kind == Kind::Ring || strand_.top.kind == Kind::Through);
+        return at_bottom || at_top;
+    }
+
+    //! A ring at a saddle has the critical point several times: neighbours with its own parameters keep these apart.
+    void add_between(std::size_t k) {
+        const std::size_t steps =
+            is_bouquet(k) || is_bouquet(k + 1) ? std::max<std::size_t>(steps_, 3) : steps_;
+        const auto between =
+            sliding_ ? sliding_->contours_between(k, steps) : homotopy_->contours_between(k, steps);
+        Ring below = rings_[k];
+        for (const SampledContour& shape : between) {
+            Ring ring = surface_.add_ring(shape);
+            surface_.add_band(below, ring, strand_.is_hole);
+            below = std::move(ring);
+        }
+        surface_.add_band(below, rings_[k + 1], strand_.is_hole);
+    }
+
+    void add_end(const StrandEnd& end, bool is_top) {
+        const Ring& last = is_top ? rings_.back() : rings_.front();
+        if (end.kind == Kind::Flat) surface_.add_flat_cap(last, is_top, strand_.is_hole);
+        if (end.kind == Kind::Tip) add_rows(last, cap_rows(end.node, is_top), tip_ring(end.node), is_top);
+        if (end.kind == Kind::Approach) add_rows(last, end.approach, *end.ring, is_top);
+    }
+
+    Ring tip_ring(const Point3& tip) {
+        return {.shape = {.points = {tip}, .parameters = {0}}, .vertices = {surface_.add_point(tip)}};
+    }
+
+    //! From a contour outwards, up or down.
+    void add_rows(Ring from, const std::vector<SampledContour>& rows, const Ring& end, bool upward) {
+        const auto add = [&](const Ring& to) {
+            if (upward)
+                surface_.add_band(from, to, strand_.is_hole);
+            else
+                surface_.add_band(to, from, strand_.is_hole);
+        };
+        for (const SampledContour& row : rows) {
+            Ring ring = surface_.add_ring(row);
+            add(ring);
+            from = std::move(ring);
+        }
+        add(end);
+    }
+
+    //! Closer rows towards the tip, where the width falls like a root.
+    std::vector<SampledContour> cap_rows(const Point3& tip, bool is_top) const {
+        const Ring& last = is_top ? rings_.back() : rings_.front();
+        const double height = is_top ? heights_.back() : heights_.front();
+        const auto own = CapProfile::of(strand_.homotopy.kind);
+        const CapProfile profile = own ? *own : CapProfile::conic(end_slope(tip, is_top));
+        const Point3 mean = mean_point(last.shape);
+        std::vector<SampledContour> rows;
+        for (std::size_t j = steps_ - 1; j > 0; --j) {
+            const double root = static_cast<double>(j) / static_cast<double>(steps_), x = root * root;
+            const double width = profile.width(x), z = tip.z + x * (height - tip.z);
+            const Point3 slide = cap_slide(tip, mean, x, width, z);
+            SampledContour row = last.shape;
+            for (Point3& p : row.points)
+                p = {tip.x + width * (p.x - tip.x) + slide.x, tip.y + width * (p.y - tip.y) + slide.y,
+                     z + width * (p.z - height)};
+            rows.push_back(std::move(row));
+        }
+        return rows;
+    }
+
+    //! The lean of SlidingHomotopy, between a tip and a contour.
+    Point3 cap_slide(const Point3& tip, const Point3& mean, double x, double width, double z) const {
+        if (!strand_.lean) return {};
+        const Point3 edge = MonotoneEdge(*strand_.lean).at(z) - tip, own = width * (mean - tip);
+        Point3 slide = sliding_weight(x) * (edge - own);
+        slide.z = 0;
+        return slide;
+    }
+
+    //! How the contour's width goes on from a cap, d width / d x of CapProfile at x = 1.
+    double end_slope(const Point3& tip, bool is_top) const {
+        const double height = is_top ? heights_.back() : heights_.front(), rise = std::abs(height - tip.z);
+        if (!homotopy_) return single_slope(rise);
+        constexpr double kStep = 1e-3;
+        const std::size_t interval = is_top ? homotopy_->intervals() - 1 : 0;
+        const SampledContour& contour = homotopy_->contours()[is_top ? interval + 1 : 0];
+        const auto beside = homotopy_->contour_at(contour.parameters, interval, is_top ? 1 - kStep : kStep);
+        const double way = kStep * (heights_[interval + 1] - heights_[interval]);
+        double growth = 0, square = 0;
+        for (std::size_t i = 0; i < beside.size(); ++i) {
+            const Point3 arm = contour.points[i] - tip, move = beside[i] - contour.points[i];
+            growth += arm.x * move.x + arm.y * move.y;
+            square += arm.x * arm.x + arm.y * arm.y;
+        }
+        return square > 0 ? growth / square / way * rise : 0;
+    }
+
+    //! A contour alone between two tips: the ellipsoid through them. Between a tip and a saddle: upright.
+    double single_slope(double rise) const {
+        if (strand_.bottom.kind != Kind::Tip || strand_.top.kind != Kind::Tip) return 0;
+        const double whole = strand_.top.node.z - strand_.bottom.node.z;
+        return 1 - whole / (whole - rise) / 2;
+    }
+
+    BandSurface& surface_;
+    const Strand& strand_;
+    std::size_t steps_;
+    std::vector<Ring> rings_;  // given contours and rings at saddles that take part in the homotopy
+    std::vector<double> heights_;
+    std::optional<ContourHomotopy> homotopy_;
+    std::optional<MonotoneEdge> lean_;
+    std::optional<SlidingHomotopy> sliding_;
+};
+
+}  // namespace
+
+void add_strand(BandSurface& surface, const Strand& strand, std::size_t steps) {
+    StrandBuilder(surface, strand, steps).run();
+}
+
+}  // namespace stratareeb

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "reeb/band_surface.h"
+#include "reeb/curve.h"
+#include "reeb/homotopy_weights.h"
+
+namespace stratareeb {
+
+//! How a strand ends.
+struct StrandEnd {
+    enum class Kind {
+        Tip,       // at a minimum or maximum
+        Flat,      // the last contour is closed by its inside
+        Approach,  // rows lead from the last contour to a ring at a saddle
+        Ring,      // a ring at a saddle comes after the last contour, and is one of the homotopy's
+        Through,   // the last contour is a ring at a saddle itself
+    };
+    Kind kind = Kind::Tip;
+    Point3 node;
+    std::vector<SampledContour> approach;  // from the last contour to the node, the ring's own shape left out
+    std::optional<Ring> ring;
+};
+
+//! A family of contours from one node up to another.
+struct Strand {
+    std::vector<SampledContour> contours;  // given, bottom to top
+    std::vector<double> heights;
+    HomotopyOptions homotopy;
+    std::optional<Curve> lean;  // the edge's curve, if contours between are to lean along it
+    bool is_hole = false;
+    StrandEnd bottom, top;
+};
+
+//! Add a strand's bands, `steps` between two contours; two at least where a ring at a saddle visits the critical point more than once.
+void add_strand(BandSurface& surface, const Strand& strand, std::size_t steps);
+
+}  // namespace stratareeb

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reeb/surface_construction.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+
+#include "boreholes/errors.h"
+#include "reeb/critical_bouquet.h"
+#include "reeb/graph_conditions.h"
+#include "reeb/graph_strands.h"
+#include "reeb/guiding_curve.h"
+#include "reeb/point_math.h"
+#include "reeb/strand_surface.h"
+
+namespace stratareeb {
+
+namespace {
+
+using Kind = StrandEnd::Kind;
+
+class Construction {
+ public:
+    Construction(const EnhancedReebGraph& graph, const SurfaceOptions& options)
+        : graph_(graph), options_(options), surface_(options.triangulation) {
+        check_graph(graph);
+        const auto shapes = strands_of(graph, options.samples);
+        const auto is_hole = hole_edges(graph, shapes);
+        down_.resize(graph.nodes.size());
+        up_.resize(graph.nodes.size());
+        for (std::uint32_t e = 0; e < graph.edges.size(); ++e) {
+            const EnhancedEdge& edge = graph.edges[e];
+            strands_.push_back({.contours = shapes[e].contours,
+                                .heights = shapes[e].heights,
+                                .homotopy = edge.homotopy,
+                                .lean = std::nullopt,
+                                .is_hole = is_hole[e],
+                                .bottom = {.node = graph.nodes[edge.from].position},
+                                .top = {.node = graph.nodes[edge.to].position}});
+            if (!edge.curve.points.empty()) strands_.back().lean = curve_of(graph, edge);
+            up_[edge.from].push_back(e);
+            down_[edge.to].push_back(e);
+        }
+    }
+
+    ConstructedSurface run() {
+        for (std::uint32_t n = 0; n < graph_.nodes.size(); ++n) make_node(n);
+        for (std::uint32_t e = 0; e < strands_.size(); ++e) {
+            surface_.begin_part(e);
+            add_strand(surface_, strands_[e], options_.steps);
+        }
+        return {surface_.soup(), surface_.triangle_parts()};
+    }
+
+ private:
+    //! One side of a node: edges that end there, or start there.
+    struct Side {
+        const std::vector<std::uint32_t>& edges;
+        bool is_lower;
+    };
+
+    std::string name(std::uint32_t n) const { return "node " + text_of(graph_.nodes[n].id); }
+
+    StrandEnd& end(const Side& side, std::uint32_t edge) {
+        return side.is_lower ? strands_[edge].top : strands_[edge].bottom;
+    }
+    SampledContour& end_contour(const Side& side, std::uint32_t edge) {
+        return side.is_lower ? strands_[edge].contours.back() : strands_[edge].contours.front();
+    }
+    double end_height(const Side& side, std::uint32_t edge) const {
+        return side.is_lower ? strands_[edge].heights.back() : strands_[edge].heights.front();
+    }
+
+    void make_node(std::uint32_t n) {
+        const Side lower{down_[n], true}, upper{up_[n], false};
+        const std::size_t below = lower.edges.size(), above = upper.edges.size();
+        if (below + above == 1) return make_leaf(n, below == 1 ? lower : upper);
+        if (below == 0 || above == 0)
+            throw InvalidInput(fmt::format(
+                "{}: {} edges start or end there on one side and none on the other; let them meet in a "
+                "saddle first",
+                name(n), below + above));
+        if (below == 1 && above == 1)
+            throw InvalidInput(
+                name(n) + ": one edge ends and one starts there, so it is no critical point; join the edges");
+        const bool from_lower = all_pass_through(n, lower) || (!all_pass_through(n, upper) && below >= above);
+        make_saddle(n, from_lower ? lower : upper, from_lower ? upper : lower);
+    }
+
+    void make_leaf(std::uint32_t n, const Side& side) {
+        const std::uint32_t edge = side.edges.front();
+        const bool flat = end_height(side, edge) == graph_.nodes[n].position.z;
+        end(side, edge).kind = flat ? Kind::Flat : Kind::Tip;
+    }
+
+    bool passes_through(std::uint32_t n, const Side& side, std::uint32_t edge) {
+        return std::ranges::find(end_contour(side, edge).points, graph_.nodes[n].position) !=
+               end_contour(side, edge).points.end();
+    }
+
+    bool all_pass_through(std::uint32_t n, const Side& side) {
+        return std::ranges::all_of(side.edges, [&](std::uint32_t e) { return passes_through(n, side, e); });
+    }
+
+    //! Contours of one side run to the critical point; those of the other are what they become there.
+    void make_saddle(std::uint32_t n, const Side& given, const Side& across) {
+        const Point3& critical = graph_.nodes[n].position;
+        const std::uint32_t vertex = surface_.add_point(critical);
+        std::vector<PointLoop> loops;
+        std::vector<bool> is_hole;
+        for (const std::uint32_t e : given.edges) {
+            lead_to(critical, vertex, given, e);
+            loops.push_back(end(given, e).ring->vertices);
+            is_hole.push_back(strands_[e].is_hole);
+        }
+        const auto curves = contours_across(loops, is_hole, vertex, surface_.points());
+        if (!curves || curves->size() != across.edges.size())
+            throw InvalidInput(fmt::format(
+                "{}: the {} contours {} it make {} there, not the {} {} it; move the node between them, or "
+                "give contours at its height that pass through it",
+                name(n), given.edges.size(), given.is_lower ? "below" : "above", curves ? curves->size() : 0,
+                across.edges.size(), given.is_lower ? "above" : "below"));
+        assign(*curves, critical, across);
+    }
+
+    void lead_to(const Point3& critical, std::uint32_t vertex, const Side& side, std::uint32_t e) {
+        StrandEnd& strand_end = end(side, e);
+        SampledContour shape = end_contour(side, e);
+        strand_end.kind = Kind::Through;
+        if (std::ranges::find(shape.points, critical) == shape.points.end()) {
+            strand_end.kind = Kind::Approach;
+            const std::array place{nearest_parameter(shape, critical)};
+            for (std::size_t k = 1; k < options_.steps; ++k)
+                strand_end.approach.push_back(
+                    approach(shape, place, critical,
+                             static_cast<double>(k) / static_cast<double>(options_.steps), options_.reach));
+            shape = approach(shape, place, critical, 1, options_.reach);
+        }
+        Ring ring{shape, {}};
+        for (const Point3& p : shape.points)
+            ring.vertices.push_back(p == critical ? vertex : surface_.add_point(p));
+        strand_end.ring = std::move(ring);
+    }
+
+    //! Each curve to the edge whose contour is nearest, the nearest pair first.
+    void assign(const std::vector<PointLoop>& curves, const Point3& critical, const Side& side) {
+        struct Match {
+            double distance;
+            std::size_t curve;
+            std::uint32_t edge;
+        };
+        std::vector<Match> matches;
+        for (std::size_t c = 0; c < curves.size(); ++c)
+            for (const std::uint32_t e : side.edges)
+                matches.push_back({distance(curves[c], end_contour(side, e)), c, e});
+        std::ranges::stable_sort(matches, {}, &Match::distance);
+        std::vector<bool> used(curves.size(), false);
+        for (const Match& match : matches) {
+            StrandEnd& strand_end = end(side, match.edge);
+            if (used[match.curve] || strand_end.ring) continue;
+            used[match.curve] = true;
+            std::vector<Point3> points;
+            for (const std::uint32_t v : curves[match.curve]) points.push_back(surface_.points()[v]);
+            strand_end.kind = Kind::Ring;
+            strand_end.ring = Ring{contour_by_perimeter(std::move(points)), curves[match.curve]};
+            drop_contour_at(critical, side, match.edge);
+        }
+    }
+
+    //! A contour of the far side at the node's own height has given way to what its neighbours make.
+    void drop_contour_at(const Point3& critical, const Side& side, std::uint32_t e) {
+        Strand& strand = strands_[e];
+        if (end_height(side, e) != critical.z || strand.contours.size() < 2) return;
+        const auto at = side.is_lower ? strand.contours.size() - 1 : 0;
+        strand.contours.erase(strand.contours.begin() + static_cast<std::ptrdiff_t>(at));
+        strand.heights.erase(strand.heights.begin() + static_cast<std::ptrdiff_t>(at));
+    }
+
+    double distance(const PointLoop& curve, const SampledContour& contour) const {
+        constexpr std::size_t kPlaces = 48;
+        const std::size_t step = 1 + curve.size() / kPlaces;
+        double sum = 0;
+        for (std::size_t i = 0; i < curve.size(); i += step) {
+            double least = std::numeric_limits<double>::max();
+            for (const Point3& p : contour.points)
+                least = std::min(least, magnitude(p - surface_.points()[curve[i]]));
+            sum += least;
+        }
+        return sum;
+    }
+
+    const EnhancedReebGraph& graph_;
+    const SurfaceOptions& options_;
+    BandSurface surface_;
+    std::vector<Strand> strands_;
+    std::vector<std::vector<std::uint32_t>> down_,
+        up_;  // by node: edges that end there, edges that start there
+};
+
+}  // namespace
+
+ConstructedSurface construct_surface(const EnhancedReebGraph& graph, const SurfaceOptions& options) {
+    return Construction(graph, options).run();
+}
+
+}  // namespace stratareeb
