@@ -25,7 +25,7 @@ struct ShortestCycleOptions {
 //!
 //! Shortest paths don't cross, so one of them bounds those from the starts on both sides: divide and conquer, O(m n log m) for
 //! the shorter contour's m points. Before, spans are left out that no cycle uses which is as cheap as a good known one.
-//! Memory: a bit per span looked at, and less than two bytes.
+//! Memory: two bytes and a bit per span of the graph at most, in practice a small part of that.
 //! \pre Both contours have two points or more.
 SpanPath shortest_cycle(const SpanContours& contours, const ShortestCycleOptions& options = {});
 

@@ -12,9 +12,8 @@ namespace stratareeb {
 //! A price per start (row of column 0): paid on starting there, paid back on ending one turn above. A closed path pays
 //! nothing in the end, so any prices are right; good ones leave an open path no gain from ending elsewhere than it should.
 struct StartPrices {
-    std::vector<double>
-        price;  // per start; near the start of the known cycle, price 0 stands for its bounds.upper
-    double deviation = 0;  // no price is farther from bounds.upper than this
+    std::vector<double> price;  // per start; at that of the known cycle: its bounds.upper
+    double deviation = 0;       // no price is farther from bounds.upper than this
 };
 
 //! Prices by what a path has to pay from starts near that of a known cycle to come to it, and from it to come to the ends
