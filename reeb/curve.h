@@ -32,8 +32,8 @@ struct Curve {
     Point3 normal{0, 0, 1};  // the circle runs counter-clockwise seen from its tip; any length but 0
 
     int degree = 3;  // of a NURBS curve
-    std::vector<double>
-        knots;  // points + degree + 1, ascending; none = uniform (clamped; periodic if closed)
+    // points.size() + degree + 1 ascending numbers; none = uniform (clamped, or periodic if closed)
+    std::vector<double> knots;
     std::vector<double> weights;  // one per point, > 0; none = all 1
 
     double tension = 0.5;  // of a Cardinal spline: the thesis's a
