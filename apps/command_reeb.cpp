@@ -50,8 +50,10 @@ void check_outputs(const ReebArguments& arguments) {
 std::string label_of(const std::string& field) {
     if (field.starts_with("file:")) return std::filesystem::path(field.substr(5)).stem().string();
     if (field.starts_with("property:")) return field.substr(9);
-    if (field.starts_with("distance:")) return "distance from (" + field.substr(9) + ")";
-    return field.find(',') == std::string::npos ? field : "height along (" + field + ")";
+    const std::string quantity = field.starts_with("distance:") ? "distance from (" + field.substr(9) + ")"
+                                 : field.find(',') == std::string::npos ? field
+                                                                        : "height along (" + field + ")";
+    return quantity + ", in units of the mesh";
 }
 
 std::string counted(std::size_t count, const char* thing) {

@@ -179,7 +179,8 @@ class GraphDrawing {
             if (graph_.nodes[graph_.arcs[a].lower].value <= level &&
                 level <= graph_.nodes[graph_.arcs[a].upper].value)
                 return colors_[a];
-        return kNoArc;
+        const auto& arcs = drawn_.members.coarse_of[fine_arc];  // of a pruned branch: the arc at its root
+        return arcs.empty() ? kNoArc : colors_[arcs.front()];
     }
 
     void trace(DrawingPage& page, const Contour& contour, double level) const {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/orient_soup.h"
 
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,27 +39,66 @@ std::vector<Triangle> proper_triangles(const TriangleSoup& soup, OrientedSoup& r
     return triangles;
 }
 
-//! Is a triangle wound as another one with corners in the same places?
-bool is_wound_alike(const Triangle& a, const Triangle& b, const std::vector<std::uint32_t>& source) {
-    const auto first = std::ranges::find(b, source[a[0]]);
-    return b[(first - b.begin() + 1) % 3] == source[a[1]];
+//! Which triangles to turn so that neighbours are wound alike. Neighbours meet across edges of two triangles and are visited
+//! breadth first: where a one-sided piece must be cut, it is cut across and not in a spiral. Each piece turns its minority.
+std::vector<bool> triangles_to_turn(const TriangleSoup& soup, const SoupTopology& topology) {
+    std::vector<bool> turn(soup.triangles.size(), false), is_known(soup.triangles.size(), false);
+    for (std::uint32_t seed = 0; seed < soup.triangles.size(); ++seed) {
+        if (is_known[seed]) continue;
+        std::vector<std::uint32_t> piece{seed};
+        is_known[seed] = true;
+        std::size_t turned = 0;
+        for (std::size_t i = 0; i < piece.size(); ++i)
+            for (std::uint32_t side = 3 * piece[i]; side < 3 * piece[i] + 3; ++side) {
+                const auto sides = topology.sides_of(topology.edge_of_side[side]);
+                if (sides.size() != 2) continue;
+                const std::uint32_t other = sides[0] == side ? sides[1] : sides[0], t = other / 3;
+                if (is_known[t]) continue;
+                is_known[t] = true;
+                const bool same_way = vertex_at(soup, side) == vertex_at(soup, other);
+                turn[t] = turn[piece[i]] != same_way;
+                turned += turn[t];
+                piece.push_back(t);
+            }
+        if (2 * turned > piece.size())
+            for (const std::uint32_t t : piece) turn[t] = !turn[t];
+    }
+    return turn;
 }
 
-//! Wind each piece as most of its triangles were.
-void follow_the_majority(const std::vector<Triangle>& before, OrientedSoup& result) {
-    auto& triangles = result.soup.triangles;
-    DisjointSets pieces(result.source_point.size());
-    for (const Triangle& t : triangles) {
-        pieces.unite(t[0], t[1]);
-        pieces.unite(t[0], t[2]);
+//! The corners that stay together: those of each vertex that are joined across edges of two triangles wound alike.
+//! Around a vertex such triangles follow each other in one sense, so what is joined there has no bad edge left.
+DisjointSets fans_of_corners(const TriangleSoup& soup, const SoupTopology& topology) {
+    DisjointSets fans(3 * soup.triangles.size());
+    for (std::size_t e = 0; e < topology.edge_count(); ++e) {
+        const auto sides = topology.sides_of(e);
+        if (sides.size() != 2 || vertex_at(soup, sides[0]) == vertex_at(soup, sides[1])) continue;
+        fans.unite(sides[0], next_corner(sides[1]));
+        fans.unite(next_corner(sides[0]), sides[1]);
     }
-    std::vector<std::int64_t> majority(result.source_point.size(), 0);
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-        majority[pieces.find(triangles[t][0])] +=
-            is_wound_alike(triangles[t], before[t], result.source_point) ? 1 : -1;
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-        if (majority[pieces.find(triangles[t][0])] < 0) std::swap(triangles[t][1], triangles[t][2]);
-        result.turned += !is_wound_alike(triangles[t], before[t], result.source_point);
+    return fans;
+}
+
+//! A point for each fan: the vertex itself for its first one, copies at the end for the others.
+void part_fans(OrientedSoup& result) {
+    TriangleSoup& soup = result.soup;
+    DisjointSets fans = fans_of_corners(soup, soup_topology(soup));
+    const auto corners = static_cast<std::uint32_t>(3 * soup.triangles.size());
+    std::vector<std::uint32_t> point_of_fan(corners, SoupTopology::kNone);
+    std::vector<bool> is_taken(soup.points.size(), false);
+    for (std::uint32_t corner = 0; corner < corners; ++corner) {
+        std::uint32_t& point = point_of_fan[fans.find(corner)];
+        const std::uint32_t vertex = vertex_at(soup, corner);
+        if (point == SoupTopology::kNone && !is_taken[vertex]) {
+            point = vertex;
+            is_taken[vertex] = true;
+        } else if (point == SoupTopology::kNone) {
+            point = static_cast<std::uint32_t>(soup.points.size());
+            soup.points.push_back(soup.points[vertex]);
+            result.source_point.push_back(vertex);
+            ++result.copies;
+        }
+        soup.triangles[corner / 3][corner % 3] = point;
     }
 }
 
@@ -92,13 +130,13 @@ OrientedSoup orient_soup(const TriangleSoup& soup) {
         result.soup = soup;
         return result;
     }
-    const std::vector<Triangle> before = proper_triangles(soup, result);
-    result.soup.triangles = before;
-    // CGAL only copies points, it does not look at them: numbers will do, and tell where a copy comes from.
-    CGAL::Polygon_mesh_processing::orient_polygon_soup(result.source_point, result.soup.triangles);
-    for (const std::uint32_t p : result.source_point) result.soup.points.push_back(soup.points[p]);
-    result.copies = result.soup.points.size() - soup.points.size();
-    follow_the_majority(before, result);
+    result.soup = {soup.points, proper_triangles(soup, result)};
+    const std::vector<bool> turn = triangles_to_turn(result.soup, soup_topology(result.soup));
+    for (std::size_t t = 0; t < turn.size(); ++t) {
+        if (turn[t]) std::swap(result.soup.triangles[t][1], result.soup.triangles[t][2]);
+        result.turned += turn[t];
+    }
+    part_fans(result);
     return result;
 }
 

@@ -23,8 +23,9 @@ struct OrientedSoup {
 
 //! Cut, turn and drop triangles until half_edge_mesh takes them. Surfaces are cut apart along edges of more than two triangles
 //! and in vertices of more than one fan, each piece getting a copy of the points; pieces are wound alike, as most of their
-//! triangles were; a piece that has one side only, like a Moebius strip, is cut open. Points are neither moved nor welded: layers
-//! that touch stay apart. Sound triangles come back as they are.
+//! triangles were; a piece that has one side only, like a Moebius strip, is cut across. Points are neither moved nor welded:
+//! layers that touch stay apart. Sound triangles come back as they are. (CGAL's orient_polygon_soup does the same, but walks depth
+//! first, so that its cuts through one-sided pieces are spirals: 238 points of a strip that nine points part.)
 //! \throw InvalidInput if a triangle names a vertex that is not there
 OrientedSoup orient_soup(const TriangleSoup& soup);
 

@@ -79,6 +79,25 @@ TEST(OrientSoup, a_moebius_strip_becomes_a_band_cut_open) {
     EXPECT_TRUE(report.oriented);
 }
 
+TEST(OrientSoup, a_wide_moebius_strip_is_cut_across) {
+    TriangleSoup strip;  // 60 cells around, 8 across; the last ones meet the first ones upside down
+    constexpr std::uint32_t kAround = 60, kAcross = 8;
+    for (std::uint32_t i = 0; i < kAround; ++i)
+        for (std::uint32_t j = 0; j <= kAcross; ++j) strip.points.push_back({double(i), double(j), 0});
+    const auto at = [&](std::uint32_t i, std::uint32_t j) {
+        return i < kAround ? i * (kAcross + 1) + j : kAcross - j;
+    };
+    for (std::uint32_t i = 0; i < kAround; ++i)
+        for (std::uint32_t j = 0; j < kAcross; ++j)
+            shapes::quad(strip, at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+    const OrientedSoup repaired = orient_soup(strip);
+    const MeshReport report = analyze(checked_mesh(strip, repaired), {.self_intersections = false});
+    EXPECT_EQ(report.euler, 1);
+    EXPECT_EQ(report.boundary_loops, 1u);
+    EXPECT_LE(repaired.copies, 2 * kAcross + 1);  // 9 if the cut ran straight
+    EXPECT_GT(repaired.copies, kAcross);
+}
+
 TEST(OrientSoup, turned_triangles_follow_the_majority) {
     TriangleSoup soup = shapes::joined(shapes::torus(3, 1, 12, 8), shapes::moved(shapes::cube(), 9, 0, 0));
     std::mt19937 random(5);

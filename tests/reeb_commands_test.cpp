@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The commands reeb and levels, and the files that they write.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,8 +10,8 @@
 #include <numbers>
 
 #include "boreholes/errors.h"
+#include "io/read_mesh.h"
 #include "io/write_contours.h"
-#include "io/write_graph.h"
 #include "io/write_mesh.h"
 #include "tests/run_program.h"
 #include "tests/shapes.h"
@@ -56,12 +57,14 @@ TEST_F(ReebCommands, reeb_reports_counts_as_json) {
     EXPECT_GE(json["seconds"], 0);
 }
 
-TEST_F(ReebCommands, reeb_writes_the_graph_in_three_formats) {
-    for (const char* name : {"g.json", "g.dot", "g.graphml"}) {
+TEST_F(ReebCommands, reeb_writes_the_graph_in_every_format) {
+    for (const char* name : {"g.json", "g.dot", "g.graphml", "g.ply", "g.obj", "g.svg", "g.pdf", "g.png"}) {
         const auto command = "reeb " + quoted(torus_) + " --field 1,0.1,0.05 -o " + quoted(file(name));
         EXPECT_EQ(run(command).exit_code, 0) << name;
         EXPECT_EQ(run(command).exit_code, 1) << name << " is there already";
+        const std::string once = content_of(file(name));
         EXPECT_EQ(run(command + " --overwrite").exit_code, 0) << name;
+        EXPECT_EQ(content_of(file(name)), once) << name;
     }
     const auto json = parsed(file("g.json"));
     ASSERT_EQ(json["nodes"].size(), 4u);
@@ -69,7 +72,128 @@ TEST_F(ReebCommands, reeb_writes_the_graph_in_three_formats) {
     EXPECT_EQ(json["nodes"][0]["type"], "minimum");
     EXPECT_EQ(json["nodes"][3]["type"], "maximum");
     for (const auto& arc : json["arcs"]) EXPECT_LT(arc["from"], arc["to"]);
-    EXPECT_EQ(run("reeb " + quoted(torus_) + " -o " + quoted(file("g.xyz"))).exit_code, 1);
+    ASSERT_EQ(json["loops"].size(), 1u);
+    EXPECT_EQ(json["loops"][0]["nodes"], (nlohmann::json{1, 2}));
+    const auto unknown = run("reeb " + quoted(torus_) + " -o " + quoted(file("g.xyz")));
+    EXPECT_EQ(unknown.exit_code, 1);
+    EXPECT_NE(unknown.err.find(".graphml"), std::string::npos);
+}
+
+TEST_F(ReebCommands, reeb_colors_the_mesh_and_writes_handles) {
+    const auto result = run("reeb " + quoted(torus_) + " --field 1,0.1,0.05 --colored c.ply --loops l.ply");
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(read_mesh(file("c.ply")).triangles.size(), 3600u);
+    const auto handle = read_mesh(file("l.ply")).triangles.size();
+    EXPECT_GT(handle, 500u);
+    EXPECT_LT(handle, 1800u);
+    EXPECT_EQ(run("reeb " + quoted(torus_) + " --colored c.ply").exit_code, 1);
+    EXPECT_EQ(run("reeb " + quoted(torus_) + " --colored c.obj").exit_code, 1);
+    EXPECT_EQ(run("reeb " + quoted(torus_) + " --loops l.txt").exit_code, 1);
+}
+
+TEST_F(ReebCommands, reeb_collapses_plateaus) {
+    // A lying torus: its lowest and highest circles are level.
+    const auto fine = nlohmann::json::parse(run("reeb " + quoted(torus_) + " --json").out);
+    const auto coarse = nlohmann::json::parse(run("reeb " + quoted(torus_) + " --plateaus --json").out);
+    EXPECT_EQ(fine["loops"], 1);
+    EXPECT_EQ(coarse["loops"], 1);
+    EXPECT_EQ(fine["collapsed"], (nlohmann::json{{"nodes", 2}, {"arcs", 2}}));
+    EXPECT_EQ(coarse["collapsed"], fine["collapsed"]);
+    EXPECT_EQ(coarse["nodes"], 2);
+    EXPECT_EQ(coarse["arcs"], 2);
+    EXPECT_GT(fine["nodes"], 2);
+}
+
+TEST_F(ReebCommands, reeb_simplifies) {
+    const TriMesh terrain = half_edge_mesh(shapes::terrain(40));
+    write_mesh(file("t.ply"), {"terrain", "", &terrain});
+    const auto count = [&](const std::string& options) {
+        const auto result = run("reeb t.ply --json " + options);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return nlohmann::json::parse(result.out);
+    };
+    const auto all = count("--plateaus"), most = count("--simplify 0.1"), least = count("--simplify 0.99");
+    EXPECT_EQ(count("--simplify 0")["nodes"], all["nodes"]);
+    EXPECT_LT(most["nodes"], all["nodes"]);
+    EXPECT_LE(least["nodes"], 2);
+    EXPECT_GT(least["simplified"]["pruned_branches"], most["simplified"]["pruned_branches"]);
+    EXPECT_EQ(most["nodes"].get<int>() - 1, most["arcs"].get<int>());
+    EXPECT_EQ(run("reeb t.ply --simplify 0.1 -o s.svg").exit_code, 0);
+    EXPECT_EQ(run("reeb t.ply --simplify 0.1 -o s.ply --colored c.ply").exit_code, 0);
+    for (const char* share : {"1", "-0.1", "nan", "some"})
+        EXPECT_EQ(run(std::string("reeb t.ply --simplify ") + share).exit_code, 2) << share;
+}
+
+TEST_F(ReebCommands, reeb_reports_pairs) {
+    const auto result =
+        run("reeb " + quoted(torus_) + " --field 1,0.1,0.05 --pairs --json -o " + quoted(file("p.json")));
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const auto json = nlohmann::json::parse(result.out);
+    ASSERT_EQ(json["pairs"].size(), 2u);
+    EXPECT_EQ(json["pairs"][0]["kind"], "component");
+    EXPECT_EQ(json["pairs"][1]["kind"], "loop");
+    EXPECT_NEAR(json["pairs"][1]["persistence"], 4,
+                0.05);  // the hole's width, its direction's length nearly 1
+    EXPECT_EQ(parsed(file("p.json"))["pairs"], json["pairs"]);
+    EXPECT_NE(run("reeb " + quoted(torus_) + " --pairs").out.find("component"), std::string::npos);
+}
+
+TEST_F(ReebCommands, fields_come_from_distances_files_and_properties) {
+    const auto json_of = [&](const std::string& field) {
+        const auto result = run("reeb " + quoted(torus_) + " --json --plateaus --field " + field);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        auto json = nlohmann::json::parse(result.out);
+        json.erase("seconds");
+        return json;
+    };
+    std::string values = "height\n";
+    for (const Point3& p : read_mesh(torus_).points) values += fmt::format("{}\n", p.z);
+    folder_.file("z.csv", values);
+    EXPECT_EQ(json_of("file:z.csv"), json_of("z"));
+    EXPECT_EQ(json_of("property:z"), json_of("z"));
+    // Off the torus's axes, its points nearest to and farthest from a place are one each, with two saddles between.
+    EXPECT_EQ(json_of("distance:1,0.3,0.2")["loops"], 1);
+    EXPECT_EQ(json_of("distance:20,2,1")["nodes"], 4);
+
+    const auto refusal = [&](const std::string& field, int exit_code) {
+        const auto result = run("reeb " + quoted(torus_) + " --field " + field);
+        EXPECT_EQ(result.exit_code, exit_code) << field;
+        return result.err;
+    };
+    folder_.file("short.csv", "1\n2\n");
+    folder_.file("bad.csv", "1\nnan\nx\n");
+    EXPECT_NE(refusal("file:short.csv", 1).find("2 values for a mesh of 1800"), std::string::npos);
+    EXPECT_NE(refusal("file:bad.csv", 1).find("bad.csv:3"), std::string::npos);
+    EXPECT_NE(refusal("property:quality", 1).find("x, y, z"), std::string::npos);
+    refusal("file:none.csv", 1);
+    for (const char* field : {"distance:1,2", "distance:", "file:", "property:", "1,2", "1,2,inf"})
+        refusal(field, 2);
+    EXPECT_EQ(run("reeb " + quoted(torus_) + " --field 0,0,0").exit_code, 1);
+}
+
+TEST_F(ReebCommands, repair_cuts_a_moebius_strip_open) {
+    const auto refused = run("reeb " + quoted(mobius_));
+    EXPECT_EQ(refused.exit_code, 1);
+    EXPECT_NE(refused.err.find("edge"), std::string::npos);
+    EXPECT_NE(refused.err.find("--repair"), std::string::npos);
+    const auto repaired = run("reeb " + quoted(mobius_) + " --repair --json");
+    ASSERT_EQ(repaired.exit_code, 0) << repaired.err;
+    EXPECT_NE(repaired.err.find("2 vertices added"), std::string::npos) << repaired.err;
+    const auto json = nlohmann::json::parse(repaired.out);
+    EXPECT_EQ(json["triangles"], 40);
+    EXPECT_EQ(json["vertices"], 42);
+    EXPECT_EQ(json["boundary_loops"], 1);
+    EXPECT_EQ(json["loops"], 0);
+    const auto levels = run("levels " + quoted(mobius_) + " --repair --count 2 --json");
+    EXPECT_EQ(levels.exit_code, 0) << levels.err;
+    // Values of the file's vertices go with the copies of them.
+    std::string values;
+    for (const Point3& p : read_mesh(mobius_).points) values += fmt::format("{}\n", p.z);
+    folder_.file("z.txt", values);
+    const auto by_file = run("reeb " + quoted(mobius_) + " --repair --json --field file:z.txt");
+    ASSERT_EQ(by_file.exit_code, 0) << by_file.err;
+    EXPECT_EQ(nlohmann::json::parse(by_file.out)["nodes"], json["nodes"]);
+    EXPECT_NE(run("reeb " + quoted(torus_) + " --repair").err.find("nothing to repair"), std::string::npos);
 }
 
 TEST_F(ReebCommands, reeb_refuses_what_has_no_orientation_or_is_no_field) {
@@ -101,8 +225,7 @@ TEST_F(ReebCommands, levels_report_and_write_contours) {
     EXPECT_EQ(run("levels " + quoted(torus_) + " --at 1 --count 3").exit_code, 2);
 }
 
-TEST(WriteGraph, and_contours_refuse_other_formats) {
-    EXPECT_THROW(write_graph("graph.txt", {}, TriMesh()), IoError);
+TEST(WriteContours, refuses_other_formats) {
     EXPECT_THROW(write_contours("contours.txt", {}), IoError);
 }
 
