@@ -14,7 +14,7 @@ namespace stratareeb {
 
 namespace {
 
-constexpr double kPixels = 2;  // of a PNG a point
+constexpr double kPixels = 1.5;  // of a PNG a point
 
 cairo_status_t append(void* text, const unsigned char* data, unsigned length) {
     static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(data), length);

@@ -11,7 +11,7 @@ namespace stratareeb {
 
 enum class TextAlign { Left, Middle, Right };
 
-//! A page of lines, areas and text, as SVG, PDF or PNG: x right and y down, in points (PNG: two pixels each). Text is kept as
+//! A page of lines, areas and text, as SVG, PDF or PNG: x right and y down, in points (PNG: 1.5 pixels each). Text is kept as
 //! shapes, so that the page looks the same everywhere.
 class DrawingPage {
  public:

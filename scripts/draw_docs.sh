@@ -17,3 +17,6 @@ draw sighthill examples/sighthill/intervals.csv --collars examples/sighthill/col
 draw thesis examples/thesis_sample3.csv
 build/stratareeb sample -o "$folder/wells.csv" --holes 52 --layers 3 --pinch-outs >/dev/null
 draw sample "$folder/wells.csv"
+
+build/stratareeb build examples/sighthill/wide_noheader.csv --quiet -o "$folder/glasgow" >/dev/null
+build/stratareeb reeb "$folder/glasgow/layers/02_2.ply" --simplify 0.02 -o docs/images/reeb.png --overwrite >/dev/null
