@@ -29,7 +29,7 @@ enum class BandTriangulation {
 class BandSurface {
  public:
     //! Bands of no more than so many spans are triangulated exactly by BandTriangulation::Automatic.
-    static constexpr std::size_t kQuickSpans = 60'000;
+    static constexpr std::size_t kQuickSpans = 4'000'000;
 
     explicit BandSurface(BandTriangulation triangulation) : triangulation_(triangulation) {}
 

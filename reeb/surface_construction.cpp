@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -86,7 +87,8 @@ class Construction {
         if (below == 1 && above == 1)
             throw InvalidInput(
                 name(n) + ": one edge ends and one starts there, so it is no critical point; join the edges");
-        const bool from_lower = all_pass_through(n, lower) || (!all_pass_through(n, upper) && below >= above);
+        const bool from_lower =
+            above < 2 || (below > 1 && (all_pass_through(n, lower) || !all_pass_through(n, upper)));
         make_saddle(n, from_lower ? lower : upper, from_lower ? upper : lower);
     }
 
@@ -133,16 +135,24 @@ class Construction {
         if (std::ranges::find(shape.points, critical) == shape.points.end()) {
             strand_end.kind = Kind::Approach;
             const std::array place{nearest_parameter(shape, critical)};
+            const double reach = reach_of(shape, place.front(), critical);
             for (std::size_t k = 1; k < options_.steps; ++k)
                 strand_end.approach.push_back(
                     approach(shape, place, critical,
-                             static_cast<double>(k) / static_cast<double>(options_.steps), options_.reach));
-            shape = approach(shape, place, critical, 1, options_.reach);
+                             static_cast<double>(k) / static_cast<double>(options_.steps), reach));
+            shape = approach(shape, place, critical, 1, reach);
         }
         Ring ring{shape, {}};
         for (const Point3& p : shape.points)
             ring.vertices.push_back(p == critical ? vertex : surface_.add_point(p));
         strand_end.ring = std::move(ring);
+    }
+
+    //! The tent that is drawn out to the critical point is as wide as it is long, times kSlimness, so that it stays a tip.
+    double reach_of(const SampledContour& contour, double place, const Point3& critical) const {
+        constexpr double kSlimness = 3;
+        const Point3 way = critical - point_at(contour, place);
+        return std::min(options_.reach, kSlimness * std::hypot(way.x, way.y) / perimeter(contour.points));
     }
 
     //! Each curve to the edge whose contour is nearest, the nearest pair first.
