@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "boreholes/errors.h"
 
@@ -39,7 +40,7 @@ std::string shown(const json& value) {
 //! Follows the parser: where it is, and which keys an object has had.
 class Watch {
  public:
-    Watch(const std::string& file) : file_(file) {}
+    explicit Watch(const std::string& file) : file_(file) {}
 
     bool operator()(json::parse_event_t event, const json& parsed) {
         using Event = json::parse_event_t;

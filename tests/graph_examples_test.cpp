@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <regex>
 #include <set>
 
 #include "io/read_enhanced_graph.h"
@@ -46,9 +45,8 @@ TEST(GraphExamples, are_sound_and_have_the_loops_that_they_say) {
     EXPECT_GE(all.size(), 9u);
     for (const auto& [name, file] : all) {
         EXPECT_TRUE(faults_of(file.graph).empty()) << name;
-        std::smatch said;
-        ASSERT_TRUE(std::regex_search(file.comment, said, std::regex("(\\d+) loops?"))) << name;
-        EXPECT_EQ(std::to_string(loops_of(file.graph)), said[1].str()) << name;
+        const auto said = file.comment.find(std::to_string(loops_of(file.graph)) + " loop");
+        EXPECT_NE(said, std::string::npos) << name << ": " << file.comment;
     }
 }
 
