@@ -13,6 +13,9 @@ namespace stratareeb {
 
 namespace {
 
+constexpr double kShortArc = 1.0 / 512;  // of the field's range: what a sample should at least stand for
+constexpr std::size_t kManyArcs = 4096;
+
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  // fine arc, coarse arc
 
 void add_pairs(const std::vector<std::uint32_t>& fine, const std::vector<std::uint32_t>& coarse,
@@ -51,6 +54,22 @@ std::optional<Point3> main_center(const ReebGraph& fine, const ArcIndex& index,
     return center;
 }
 
+//! Contours of a long family can be as long as the surface is wide, and a noisy surface has many families that reach hardly up:
+//! those get fewer samples, in large graphs none, so that the work stays that of some hundred levels.
+std::size_t samples_of(const ReebGraph& graph, double range, double span, std::size_t most) {
+    const double worth = range > 0 ? span / range / kShortArc : 0;
+    const std::size_t least = graph.arcs.size() > kManyArcs ? 0 : 1;
+    return worth >= static_cast<double>(most)
+               ? most
+               : std::min(most, std::max(least, static_cast<std::size_t>(worth)));
+}
+
+double range_of(const ReebGraph& graph) {
+    if (graph.nodes.empty()) return 0;
+    const auto [low, high] = std::ranges::minmax(graph.nodes, {}, &ReebNode::value);
+    return high.value - low.value;
+}
+
 ArcMembers each_its_own(std::size_t arcs) {
     ArcMembers members;
     for (std::uint32_t a = 0; a < arcs; ++a) {
@@ -86,12 +105,14 @@ std::vector<std::vector<Point3>> coarse_arc_curves(const TriMesh& mesh, const Re
                                                    const ArcIndex& index, const ReebGraph& coarse,
                                                    const ArcMembers& members, std::size_t samples) {
     std::vector<std::vector<Point3>> curves(coarse.arcs.size());
+    const double range = range_of(coarse);
     tbb::parallel_for(std::size_t{0}, curves.size(), [&](std::size_t a) {
         const ReebNode &lower = coarse.nodes[coarse.arcs[a].lower],
                        &upper = coarse.nodes[coarse.arcs[a].upper];
         curves[a].push_back(place(mesh, lower));
-        for (std::size_t k = 1; k <= samples; ++k) {
-            const double share = static_cast<double>(k) / static_cast<double>(samples + 1);
+        const std::size_t here = samples_of(coarse, range, upper.value - lower.value, samples);
+        for (std::size_t k = 1; k <= here; ++k) {
+            const double share = static_cast<double>(k) / static_cast<double>(here + 1);
             const double level = lower.value + share * (upper.value - lower.value);
             if (!(lower.value < level && level < upper.value)) continue;
             if (const auto center = main_center(fine, index, members.fine_of[a], level))

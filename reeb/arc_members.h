@@ -20,6 +20,7 @@ struct ArcMembers {
 ArcMembers arc_members(const ReebGraph& fine, const ReebGraph& coarse);
 
 //! arc_curves for a coarser graph. Where an arc has several contours at a height, the curve goes through the centre of the longest.
+//! Arcs that span little of the field's range have fewer samples, down to one, in graphs of thousands of arcs none.
 //! \pre `fine` is reeb_graph(mesh, field), the index is its own, and `members` is arc_members(fine, coarse)
 std::vector<std::vector<Point3>> coarse_arc_curves(const TriMesh& mesh, const ReebGraph& fine,
                                                    const ArcIndex& index, const ReebGraph& coarse,
