@@ -19,6 +19,8 @@ namespace {
 
 constexpr std::uint32_t kNone = ~0u;
 constexpr double kDomeHeight = 0.75;  // of the spacing: two thirds of a dome's prism, half a spacing's
+constexpr double kFlatHeight = 0.5;
+constexpr double kShortHeight = 0.45;  // beside others, which may come as far from the other level
 
 Curve ring_curve(const StackContour& contour, double z) {
     Curve curve;
@@ -110,16 +112,19 @@ class Builder {
     void step(const StackLevel& lower, const StackLevel& upper, std::size_t l) {
         const std::uint32_t first_lower = l > 0 ? stack_.first[l - 1] : 0, first_upper = stack_.first[l];
         const StackTransitions transitions = stack_transitions(lower, upper, options_.least_share);
+        std::vector<std::size_t> beside(transitions.pieces.size(), 0);  // pieces by sheet
+        for (const StackTransition& piece : transitions.pieces) ++beside[piece.sheet];
         for (const StackTransition& piece : transitions.pieces) {
+            const bool alone = beside[piece.sheet] == 1;
             std::vector<std::uint32_t> below, above;
             for (const std::uint32_t r : piece.lower) below.push_back(first_lower + r);
             for (const std::uint32_t r : piece.upper) above.push_back(first_upper + r);
             if (below.size() == 1 && above.size() == 1)
                 next_[below.front()] = above.front();
             else if (above.empty())
-                end(below, z_of(l - 1), spacing_above(l), node_above_, flat_above_);
+                end(below, z_of(l - 1), spacing_above(l), alone, node_above_, flat_above_);
             else if (below.empty())
-                end(above, z_of(l), -spacing_below(l), node_below_, flat_below_);
+                end(above, z_of(l), -spacing_below(l), alone, node_below_, flat_below_);
             else
                 branch(below, above, lower, upper);
         }
@@ -133,10 +138,11 @@ class Builder {
         return rings;
     }
 
-    void end(const std::vector<std::uint32_t>& contours, double z, double beyond,
+    void end(const std::vector<std::uint32_t>& contours, double z, double beyond, bool alone,
              std::vector<std::uint32_t>& node_at, std::vector<std::uint32_t>& flat_at) {
         const bool flat = options_.ends == StackEnds::Flat && contours.size() == 1;
-        const double height = z + (flat ? 0.5 : kDomeHeight) * beyond;
+        const double share = !alone ? kShortHeight : flat ? kFlatHeight : kDomeHeight;
+        const double height = z + share * beyond;
         const std::uint32_t node = add_node(inner_point(rings_of(contours)), height);
         for (const std::uint32_t c : contours) node_at[c] = node;
         if (flat)

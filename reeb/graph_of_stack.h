@@ -24,8 +24,9 @@ struct StackGraphOptions {
     std::optional<double> end_spacing;
     //! Levels further apart than this are not joined: all that is known is that there is an empty one between.
     std::optional<double> most_spacing;
-    //! Contours that share less than this part of the smaller one have nothing to do with each other.
-    double least_share = 1e-3;
+    //! Contours that share less than this part of the smaller one have nothing to do with each other. The default leaves
+    //! out what only touches; hand-drawn outlines may want more.
+    double least_share = 1e-9;
     HomotopyOptions homotopy;  // of all edges
 };
 
@@ -49,6 +50,7 @@ struct StackGraph {
 //!   one of the levels is solid.
 //! - Ends: over or under the contours that end, well inside what they enclose (inner_point). A ring that ends all at once, outer
 //!   contour and holes, has one node and as many edges; such ends have no contour at the node's height, with StackEnds::Flat either.
+//! - What ends beside contours that overlap or touch it and go on, or end from the other side, ends before the middle.
 //! \throw InvalidInput as sorted_stack; if there is no contour; if there is a single level and no spacing; if the spacing is
 //! not a positive number.
 StackGraph graph_of_stack(const ContourStack& stack, const StackGraphOptions& options = {});

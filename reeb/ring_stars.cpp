@@ -32,11 +32,11 @@ class Stars {
         for (const RingLink& link : links_) {
             if (!piece_of_lower_.contains(link.lower)) {
                 piece_of_lower_[link.lower] = pieces_.size();
-                pieces_.push_back({{link.lower}, {}});
+                pieces_.push_back({{link.lower}, {}, 0});
             }
             if (!piece_of_upper_.contains(link.upper)) {
                 piece_of_upper_[link.upper] = pieces_.size();
-                pieces_.push_back({{}, {link.upper}});
+                pieces_.push_back({{}, {link.upper}, 0});
             }
         }
     }
@@ -72,7 +72,7 @@ class Stars {
             return both;
         };
         StackTransition both{union_of(pieces_[a].lower, pieces_[b].lower),
-                             union_of(pieces_[a].upper, pieces_[b].upper)};
+                             union_of(pieces_[a].upper, pieces_[b].upper), 0};
         const bool sound = both.upper.size() == 1
                                ? can_be_one(lower_, both.lower, upper_.is_hole(both.upper.front()))
                                : both.lower.size() == 1 &&

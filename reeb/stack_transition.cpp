@@ -159,9 +159,11 @@ void add_ends(const StackLevel& level, Rings ending, const Rings& of_sheet, Ring
 
 StackTransitions stack_transitions(const StackLevel& lower, const StackLevel& upper, double least_share) {
     StackTransitions result;
+    std::uint32_t number = 0;
     for (const auto& sheet : Sheets(lower, upper).all()) {
+        const std::size_t before = result.pieces.size();
         if (sheet.lower.size() == 1 && sheet.upper.size() == 1 && !sheet.crosses) {  // one lies in the other
-            result.pieces.push_back({sheet.lower, sheet.upper});
+            result.pieces.push_back({sheet.lower, sheet.upper, number++});
             continue;
         }
         RingStars stars;
@@ -178,6 +180,8 @@ StackTransitions stack_transitions(const StackLevel& lower, const StackLevel& up
         result.dropped.insert(result.dropped.end(), stars.dropped.begin(), stars.dropped.end());
         add_ends(lower, ending_below, sheet.lower, &StackTransition::lower, result.pieces);
         add_ends(upper, ending_above, sheet.upper, &StackTransition::upper, result.pieces);
+        for (std::size_t p = before; p < result.pieces.size(); ++p) result.pieces[p].sheet = number;
+        ++number;
     }
     return result;
 }

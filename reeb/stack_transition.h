@@ -12,6 +12,7 @@ namespace stratareeb {
 //! many they divide, many to none (or none to many) they end together.
 struct StackTransition {
     std::vector<std::uint32_t> lower, upper;  // rings of the levels, ascending
+    std::uint32_t sheet = 0;                  // that all of them border; several pieces may border one
 
     friend bool operator==(const StackTransition&, const StackTransition&) = default;
 };
@@ -29,7 +30,7 @@ struct StackTransitions {
     std::vector<DroppedOverlap> dropped;
 };
 
-constexpr double kLeastShare = 1e-3;  // an overlap of less of the smaller ring says nothing: they touch
+constexpr double kLeastShare = 1e-9;  // of the smaller ring: what overlaps less touches, but for rounding
 
 //! How the rings of one level become those of the next. Let each level's section stand upright half way to the other: what
 //! is solid in just one of them is then a horizontal sheet, and the rings that border one connected sheet, or cross, belong

@@ -171,6 +171,7 @@ TEST(GraphOfStack, bodies_that_only_touch_in_plan_stay_apart) {
     const ContourStack stack{{rectangle(0, 0, 0, 1, 1), rectangle(1, 1, 0, 2, 1), rectangle(2, 1, 1, 2, 2),
                               rectangle(3, 5, 5, 6, 6)}};
     EXPECT_EQ(kinds_of(stack), (Kinds{{{0, 1}, 4}, {{1, 0}, 4}}));
+    EXPECT_EQ(sound_graph(stack, {.ends = StackEnds::Flat}).graph.nodes.size(), 8u);
 }
 
 TEST(GraphOfStack, same_outline_on_all_levels_goes_on) {
