@@ -10,8 +10,9 @@ namespace stratareeb {
 
 namespace {
 
-constexpr double kPrecision = 0.1;      // of the distance to the rings
-constexpr double kMostSteps = 2e7;      // squares times edges
+constexpr double kPrecision = 0.1;  // of the distance to the rings
+constexpr double kMostSteps = 2e7;  // squares times edges
+constexpr std::size_t kMostSquares = 4096;
 constexpr std::size_t kProbeLines = 7;  // to start from a place that is surely inside
 
 using Rings = std::span<const std::vector<Point2>>;
@@ -94,9 +95,11 @@ Point2 inner_point(Rings rings) {
     const double half = std::min(right - left, heights.back() - heights.front()) / 2;
     std::priority_queue<Square> open;
     double steps = 0;
+    std::size_t squares = 0;
     const auto add = [&](const Point2& center, double size) {
         const Square square{center, size, depth_inside(rings, center)};
         steps += edges;
+        ++squares;
         take_if_deeper(square);
         open.push(square);
     };
@@ -104,7 +107,7 @@ Point2 inner_point(Rings rings) {
     const double size = std::max({half, (right - left) / 128, (heights.back() - heights.front()) / 128});
     for (double x = left; x < right; x += 2 * size)
         for (double y = heights.front(); y < heights.back(); y += 2 * size) add({x + size, y + size}, size);
-    while (!open.empty() && steps < kMostSteps) {
+    while (!open.empty() && squares < kMostSquares && steps < kMostSteps) {
         const Square square = open.top();
         open.pop();
         if (square.most() <= best.depth * (1 + kPrecision)) break;
