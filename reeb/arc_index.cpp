@@ -2,6 +2,7 @@
 #include "reeb/arc_index.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "reeb/contour_trace.h"
@@ -52,13 +53,24 @@ std::uint32_t ArcIndex::highest_below(std::uint32_t vertex) const {
     return highest;
 }
 
+ArcIndex::Halfedge ArcIndex::step_down(std::uint32_t arc, std::size_t step) const {
+    const std::size_t from = first_[arc] + step;
+    return mesh_.find_halfedge(TriMesh::VertexHandle(static_cast<int>(path_[from])),
+                               TriMesh::VertexHandle(static_cast<int>(path_[from + 1])));
+}
+
 //! The half-edge of the arc's path that leads down through the level.
 ArcIndex::Halfedge ArcIndex::crossed_edge(std::uint32_t arc, double level) const {
-    const auto begin = path_.begin() + static_cast<std::ptrdiff_t>(first_[arc]),
-               end = path_.begin() + static_cast<std::ptrdiff_t>(first_[arc + 1]);
-    const auto below = std::partition_point(begin, end, [&](std::uint32_t v) { return field_[v] >= level; });
-    return mesh_.find_halfedge(TriMesh::VertexHandle(static_cast<int>(*(below - 1))),
-                               TriMesh::VertexHandle(static_cast<int>(*below)));
+    const auto path = std::span(path_).subspan(first_[arc], first_[arc + 1] - first_[arc]);
+    const auto below =
+        std::ranges::partition_point(path, [&](std::uint32_t v) { return field_[v] >= level; });
+    return step_down(arc, static_cast<std::size_t>(below - path.begin()) - 1);
+}
+
+ArcIndex::Halfedge ArcIndex::crossed_above(std::uint32_t arc, double level) const {
+    const auto path = std::span(path_).subspan(first_[arc], first_[arc + 1] - first_[arc]);
+    const auto below = std::ranges::partition_point(path, [&](std::uint32_t v) { return field_[v] > level; });
+    return step_down(arc, static_cast<std::size_t>(below - path.begin()) - 1);
 }
 
 //! Back along the contour to its end on the boundary, or once around to where it was.

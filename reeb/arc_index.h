@@ -28,6 +28,10 @@ class ArcIndex {
     //! \pre arcs_at(level) has the arc
     Contour contour(std::uint32_t arc, double level) const;
 
+    //! A half-edge that leads down across the contour of an arc just above a level, from above it to at or below it.
+    //! \pre the level is from the lower node's value up to below that of the upper node
+    TriMesh::HalfedgeHandle crossed_above(std::uint32_t arc, double level) const;
+
     //! All contours of a level, by arc. Those that shrink to a point are left out.
     LevelSet level_set(double level) const;
 
@@ -38,6 +42,7 @@ class ArcIndex {
     void add_path(const ReebGraph& graph, std::uint32_t arc);
     std::uint32_t highest_below(std::uint32_t vertex) const;
     Halfedge crossed_edge(std::uint32_t arc, double level) const;
+    Halfedge step_down(std::uint32_t arc, std::size_t step) const;
     Halfedge first_of_contour(Halfedge crossed, double level) const;
 
     const TriMesh& mesh_;

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
 
 #include "boreholes/errors.h"
 #include "mesh/ring_crossings.h"
@@ -38,7 +39,10 @@ struct Outline {
 
 class Judge {
  public:
-    explicit Judge(const EnhancedReebGraph& graph) : graph_(graph), outlines_(graph.contours.size()) {}
+    explicit Judge(const EnhancedReebGraph& graph) : graph_(graph), outlines_(graph.contours.size()) {
+        for (const EnhancedNode& node : graph.nodes)
+            places_.insert({node.position.x, node.position.y, node.position.z});
+    }
 
     std::vector<std::string> run() {
         check_names();
@@ -126,10 +130,11 @@ class Judge {
     void check_simple(std::size_t c, const Outline& outline) {
         const std::vector<std::vector<Point2>> ring{
             in_plane(outline, outline.is_level() ? PlaneFrame{} : plane_frame(outline.normal))};
-        for (const RingCrossing& crossing : ring_crossings(ring, {.most = 1})) {
+        for (const RingCrossing& crossing : ring_crossings(ring)) {
+            if (meet_in_node(outline, outline, crossing)) continue;
             const Point3& p = outline.points[crossing.edge];
-            fault("{}: it crosses or touches itself near ({:.7g}, {:.7g}, {:.7g})", contour_name(c), p.x, p.y,
-                  p.z);
+            return fault("{}: it crosses or touches itself near ({:.7g}, {:.7g}, {:.7g})", contour_name(c),
+                         p.x, p.y, p.z);
         }
     }
 
@@ -207,23 +212,23 @@ class Judge {
             std::set<std::pair<std::uint32_t, std::uint32_t>> told;
             for (const RingCrossing& crossing : ring_crossings(rings)) {
                 const std::uint32_t a = contours[crossing.ring], b = contours[crossing.other_ring];
-                if (a == b || meet_in_node(a, b, crossing) || !told.insert({a, b}).second) continue;
+                if (a == b || meet_in_node(*outlines_[a], *outlines_[b], crossing) ||
+                    !told.insert({a, b}).second)
+                    continue;
                 fault("{} and {} meet at height {:.7g} near ({:.7g}, {:.7g})", contour_name(a),
                       contour_name(b), z, crossing.place.x, crossing.place.y);
             }
         }
     }
 
-    //! Is what two edges have in common a node that both contours pass through?
-    bool meet_in_node(std::uint32_t a, std::uint32_t b, const RingCrossing& crossing) const {
+    //! Is what two edges have in common a node that both pass through?
+    bool meet_in_node(const Outline& a, const Outline& b, const RingCrossing& crossing) const {
         const auto ends = [](const Outline& outline, std::uint32_t edge) {
             return std::array{outline.points[edge], outline.points[(edge + 1) % outline.points.size()]};
         };
-        for (const Point3& p : ends(*outlines_[a], crossing.edge))
-            for (const Point3& q : ends(*outlines_[b], crossing.other_edge))
-                if (p == q &&
-                    std::ranges::any_of(graph_.nodes, [&](const auto& node) { return node.position == p; }))
-                    return true;
+        for (const Point3& p : ends(a, crossing.edge))
+            for (const Point3& q : ends(b, crossing.other_edge))
+                if (p == q && places_.contains({p.x, p.y, p.z})) return true;
         return false;
     }
 
@@ -266,8 +271,9 @@ class Judge {
     }
 
     const EnhancedReebGraph& graph_;
-    std::vector<std::optional<Outline>> outlines_;  // of sound contours
-    std::vector<int> edges_at_;                     // by node
+    std::vector<std::optional<Outline>> outlines_;         // of sound contours
+    std::vector<int> edges_at_;                            // by node
+    std::set<std::tuple<double, double, double>> places_;  // of nodes
     std::vector<std::string> faults_;
 };
 

@@ -15,7 +15,7 @@ namespace stratareeb {
 //! - contours are planar, simple closed curves, all counter-clockwise seen from above;
 //! - they stand in order of height between their edge's nodes. One at the height of a node passes through it, or closes the surface flat there if
 //!   the node has no other edge;
-//! - no two contours meet, but for those that pass through a common node.
+//! - no two contours meet, nor does one touch itself, but in a node that they pass through.
 //! Splines are judged by polygons on them.
 std::vector<std::string> faults_of(const EnhancedReebGraph& graph);
 

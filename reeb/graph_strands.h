@@ -19,8 +19,9 @@ struct GraphStrand {
 //! \throw InvalidInput if a contour is no curve
 std::vector<GraphStrand> strands_of(const EnhancedReebGraph& graph, std::size_t samples);
 
-//! By edge: do its contours bound a hole, the solid lying outside of them? A contour is that of a hole if an odd number of others
-//! of its height lie around it. Between given contours others are mixed linearly.
+//! By edge: do its contours bound a hole, the solid lying outside of them? Those of an outer surface and those of a hole in it that join
+//! it lie in one another where they meet; a part of the graph on its own is that of a cavity if an odd number of contours of others lie around it
+//! (mixed linearly between given ones).
 std::vector<bool> hole_edges(const EnhancedReebGraph& graph, const std::vector<GraphStrand>& strands);
 
 }  // namespace stratareeb

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "reeb/cap_profile.h"
-#include "reeb/correspondence.h"
+#include "reeb/contour_alignment.h"
 #include "reeb/point_math.h"
 #include "reeb/sliding_homotopy.h"
 
@@ -50,10 +50,8 @@ class StrandBuilder {
     }
 
     void align_rings() {
-        for (std::size_t k = 1; k < rings_.size(); ++k) {
-            const Correspondence pair = correspond(rings_[k - 1].shape, rings_[k].shape);
-            rings_[k] = with_origin(rings_[k], pair.second - pair.first);
-        }
+        for (std::size_t k = 1; k < rings_.size(); ++k)
+            rings_[k] = with_origin(rings_[k], aligned_origin(rings_[k - 1].shape, rings_[k].shape));
     }
 
     void make_homotopy() {
@@ -72,12 +70,13 @@ class StrandBuilder {
         return at_bottom || at_top;
     }
 
-    //! A ring at a saddle has the critical point several times: neighbours with its own parameters keep these apart.
+    //! A ring at a saddle has the critical point several times: neighbours with its own parameters keep these apart. The edge
+    //! goes on from there to the critical point, not to the ring's centre, so nothing leans along it.
     void add_between(std::size_t k) {
-        const std::size_t steps =
-            is_bouquet(k) || is_bouquet(k + 1) ? std::max<std::size_t>(steps_, 3) : steps_;
-        const auto between =
-            sliding_ ? sliding_->contours_between(k, steps) : homotopy_->contours_between(k, steps);
+        const bool at_saddle = is_bouquet(k) || is_bouquet(k + 1);
+        const std::size_t steps = at_saddle ? std::max<std::size_t>(steps_, 3) : steps_;
+        const auto between = sliding_ && !at_saddle ? sliding_->contours_between(k, steps)
+                                                    : homotopy_->contours_between(k, steps);
         Ring below = rings_[k];
         for (const SampledContour& shape : between) {
             Ring ring = surface_.add_ring(shape);

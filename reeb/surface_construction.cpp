@@ -87,8 +87,7 @@ class Construction {
         if (below == 1 && above == 1)
             throw InvalidInput(
                 name(n) + ": one edge ends and one starts there, so it is no critical point; join the edges");
-        const bool from_lower =
-            above < 2 || (below > 1 && (all_pass_through(n, lower) || !all_pass_through(n, upper)));
+        const bool from_lower = is_given(n, lower) || (!is_given(n, upper) && below >= above);
         make_saddle(n, from_lower ? lower : upper, from_lower ? upper : lower);
     }
 
@@ -98,13 +97,15 @@ class Construction {
         end(side, edge).kind = flat ? Kind::Flat : Kind::Tip;
     }
 
-    bool passes_through(std::uint32_t n, const Side& side, std::uint32_t edge) {
-        return std::ranges::find(end_contour(side, edge).points, graph_.nodes[n].position) !=
-               end_contour(side, edge).points.end();
-    }
-
-    bool all_pass_through(std::uint32_t n, const Side& side) {
-        return std::ranges::all_of(side.edges, [&](std::uint32_t e) { return passes_through(n, side, e); });
+    //! Do contours through a saddle say how they run together there?
+    bool is_given(std::uint32_t n, const Side& side) {
+        std::ptrdiff_t visits = 0;
+        for (const std::uint32_t e : side.edges) {
+            const auto own = std::ranges::count(end_contour(side, e).points, graph_.nodes[n].position);
+            if (own == 0) return false;
+            visits += own;
+        }
+        return visits > 1;
     }
 
     //! Contours of one side run to the critical point; those of the other are what they become there.

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include "mesh/tri_mesh.h"
+#include "reeb/enhanced_reeb_graph.h"
+
+namespace stratareeb {
+
+struct MeshGraphOptions {
+    std::size_t levels =
+        20;  // even levels over the whole height; an arc that none of them crosses gets one of its own
+    double tolerance =
+        0;  // > 0: further levels on an arc until a contour half way between two is no farther than this from what
+        // the homotopy makes there
+    std::size_t most_per_arc = 200;  // contours that tolerance may ask for
+    HomotopyKind homotopy = HomotopyKind::Cardinal;
+};
+
+//! The enhanced Reeb graph of a closed surface over height z: nodes at its critical points, contours at levels of each arc, edges through
+//! their centres. Where contours meet in a saddle, those of the side that has more of them are given at its very height,
+//! through it. From there on the graph stands for itself: reeb/surface_construction makes a surface of it.
+//! \throw InvalidInput if the mesh has a boundary, or two nodes that an arc joins have one height (a plateau: turn the mesh a little), naming the place.
+EnhancedReebGraph graph_of_mesh(const TriMesh& mesh, const MeshGraphOptions& options = {});
+
+}  // namespace stratareeb
