@@ -17,7 +17,8 @@ namespace stratareeb {
 
 namespace {
 
-constexpr std::size_t kTold = 20;  // faults in a message; more would not be read
+constexpr std::size_t kTold = 20;                  // faults in a message; more would not be read
+constexpr std::size_t kMostCrossings = 1'000'000;  // of a level, to find them in
 
 bool is_before(const Point2& a, const Point2& b) {
     return std::tie(a.x, a.y) < std::tie(b.x, b.y);
@@ -93,7 +94,7 @@ void find_crossings(std::span<const StackContour> level, Faults& faults) {
     std::vector<std::vector<Point2>> rings;
     for (const StackContour& contour : level) rings.push_back(contour.points);
     std::set<std::pair<std::uint32_t, std::uint32_t>> told;
-    for (const RingCrossing& crossing : ring_crossings(rings)) {
+    for (const RingCrossing& crossing : ring_crossings(rings, {.most = kMostCrossings})) {
         if (!told.insert({crossing.ring, crossing.other_ring}).second) continue;
         const std::string place = fmt::format("near ({:.10g}, {:.10g}) at height {}", crossing.place.x,
                                               crossing.place.y, level[crossing.ring].z);

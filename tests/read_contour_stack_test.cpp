@@ -188,6 +188,8 @@ TEST(ReadContourStack, lines_and_polygons_of_geographic_formats) {
                     kRingWithHole);
             }
         }
+    expect_same(read_contour_stack(write_features(folder / "drawing.dxf", "DXF", false, true)),
+                kRingWithHole);
     EXPECT_EQ(read_contour_stack((folder / "la.geojson").string(), {.elevation = "elev"}).contours.size(),
               4u);
 }
