@@ -13,7 +13,7 @@ struct MeshGraphOptions {
         20;  // even levels over the whole height; an arc that none of them crosses gets one of its own
     double tolerance =
         0;  // > 0: further levels on an arc until a contour half way between two is no farther than this from what
-        // the homotopy makes there
+    // the homotopy makes there
     std::size_t most_per_arc = 200;  // contours that tolerance may ask for
     HomotopyKind homotopy = HomotopyKind::Cardinal;
 };

@@ -42,10 +42,7 @@ std::size_t Corridor::spans() const {
 }
 
 StairPathFinder::StairPathFinder(const SpanCosts& costs, std::ptrdiff_t height)
-    : costs_(costs),
-      height_(height),
-      from_(costs.array_size()),
-      to_(costs.array_size()) {}
+    : costs_(costs), height_(height), from_(costs.array_size()), to_(costs.array_size()) {}
 
 void StairPathFinder::bound_rows(std::ptrdiff_t start, const Corridor& corridor, const StairPath* left,
                                  const StairPath* right) {

@@ -24,7 +24,7 @@ UNBOUND = {"tests", "bench"}  # may include any room
 
 # What a header of a room may name besides our own and the standard library (which has no dot in its names).
 PUBLIC_LIBRARIES = re.compile(r"OpenMesh/")
-EXTRA_LIBRARIES = {"io": re.compile(r"fmt/"), "apps": re.compile(r"CLI/|fmt/|nlohmann/"),
+EXTRA_LIBRARIES = {"io": re.compile(r"fmt/|nlohmann/json_fwd"), "apps": re.compile(r"CLI/|fmt/|nlohmann/"),
                    "tests": re.compile(""), "bench": re.compile("")}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
