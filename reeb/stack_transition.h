@@ -42,8 +42,8 @@ constexpr double kLeastShare = 1e-9;  // of the smaller ring: what overlaps less
 //! hole with hole before others), as long as all pieces keep one ring on one side and could bound a body; the
 //! rest is dropped. Rings left without partner end: with the rings of their holes if these end too.
 //!
-//! Wrong where levels are too far apart to tell: what moves sideways by its own width between two levels ends
-//! and starts anew; and where one step should be two (a ring that breaks into two halves at once), one of them is dropped.
+//! Wrong where levels are too far apart to tell: what moves sideways by its own width between two levels (a
+//! slanted tip) ends and starts anew; and where one step should be two (a ring that breaks into two halves at once), one of them is dropped.
 //! Time: n log n and the crossings, and for each ring the edges beside its leftmost point.
 StackTransitions stack_transitions(const StackLevel& lower, const StackLevel& upper,
                                    double least_share = kLeastShare);

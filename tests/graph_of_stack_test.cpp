@@ -307,6 +307,8 @@ TEST(GraphOfStack, sections_of_a_mesh_give_its_reeb_graph) {
             expect_graph_of_mesh(half_edge_mesh(soup), direction, 60, name);
 }
 
+// Of other seeds one body in forty has a slanted tip that moves by more than its width from level to level, however
+// close these are: it comes out as a body of its own, one minimum and one maximum too many.
 TEST(GraphOfStack, sections_of_random_bodies_give_their_reeb_graphs) {
     std::mt19937_64 random(20);
     std::size_t loops = 0, edges = 0;
