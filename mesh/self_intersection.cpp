@@ -46,11 +46,11 @@ Box box_of(const TriangleSoup& soup, std::uint32_t triangle) {
     return box;
 }
 
-SelfIntersections merged(SelfIntersections a, const SelfIntersections& b) {
+SelfIntersections merged(SelfIntersections a, const SelfIntersections& b, std::size_t named) {
     a.count += b.count;
     a.first.insert(a.first.end(), b.first.begin(), b.first.end());
     std::sort(a.first.begin(), a.first.end());
-    if (a.first.size() > kNamedPairs) a.first.resize(kNamedPairs);
+    if (a.first.size() > named) a.first.resize(named);
     return a;
 }
 
@@ -59,7 +59,7 @@ SelfIntersections merged(SelfIntersections a, const SelfIntersections& b) {
 // are stored.
 class BoxTree {
  public:
-    explicit BoxTree(const TriangleSoup& soup) : contact_(soup) {
+    BoxTree(const TriangleSoup& soup, std::size_t named) : contact_(soup), named_(named) {
         boxes_.resize(soup.triangles.size());
         for (std::uint32_t t = 0; t < boxes_.size(); ++t) {
             boxes_[t] = box_of(soup, t);
@@ -119,7 +119,7 @@ class BoxTree {
         in_two(
             node.size(), [&] { left = within(node.left()); }, [&] { right = within(node.right()); });
         between(node.left(), node.right(), found);
-        return merged(merged(std::move(left), right), found);
+        return merged(merged(std::move(left), right, named_), found, named_);
     }
 
     void between(Node a, Node b, SelfIntersections& found) const {
@@ -143,12 +143,13 @@ class BoxTree {
         ++found.count;
         const std::array<std::uint32_t, 2> pair{low, high};
         auto& first = found.first;
-        if (first.size() == kNamedPairs && first.back() < pair) return;
+        if (first.size() == named_ && (named_ == 0 || first.back() < pair)) return;
         first.insert(std::upper_bound(first.begin(), first.end(), pair), pair);
-        if (first.size() > kNamedPairs) first.pop_back();
+        if (first.size() > named_) first.pop_back();
     }
 
     TriangleContact contact_;
+    std::size_t named_;
     std::vector<Box> boxes_;            // per triangle
     std::vector<std::uint32_t> order_;  // triangles with area, neighbours in space near each other
     std::vector<Box> node_boxes_;
@@ -156,8 +157,8 @@ class BoxTree {
 
 }  // namespace
 
-SelfIntersections self_intersections(const TriangleSoup& soup) {
-    return BoxTree(soup).self();
+SelfIntersections self_intersections(const TriangleSoup& soup, std::size_t named) {
+    return BoxTree(soup, named).self();
 }
 
 }  // namespace stratareeb

@@ -14,7 +14,7 @@ namespace stratareeb {
 struct SelfIntersections {
     std::size_t count = 0;
     std::vector<std::array<std::uint32_t, 2>>
-        first;  // the lowest pairs in lexicographic order, kNamedPairs at most
+        first;  // the lowest pairs in lexicographic order, as many as asked for
 };
 
 inline constexpr std::size_t kNamedPairs = 3;
@@ -23,6 +23,7 @@ inline constexpr std::size_t kNamedPairs = 3;
 //! without area are left out. Corners that coincide without sharing an index count as meeting, so weld first
 //! what belongs together. Near-linear where few boxes overlap; runs on several threads, with the same result
 //! as on one.
-SelfIntersections self_intersections(const TriangleSoup& soup);
+//! \param named how many pairs to name
+SelfIntersections self_intersections(const TriangleSoup& soup, std::size_t named = kNamedPairs);
 
 }  // namespace stratareeb

@@ -15,17 +15,28 @@ namespace {
 
 using Kind = StrandEnd::Kind;
 
+const std::vector<SampledContour> kNoRows;
+
 class StrandBuilder {
  public:
-    StrandBuilder(BandSurface& surface, const Strand& strand, std::size_t steps)
-        : surface_(surface), strand_(strand), steps_(std::max<std::size_t>(steps, 1)) {}
+    StrandBuilder(BandSurface& surface, const Strand& strand, std::size_t steps,
+                  const std::function<void(std::size_t)>& begin_place)
+        : surface_(surface),
+          strand_(strand),
+          steps_(std::max<std::size_t>(steps, 1)),
+          begin_place_(begin_place) {}
 
     void run() {
         collect_rings();
         align_rings();
         if (rings_.size() > 1) make_homotopy();
+        begin_place_(0);
         add_end(strand_.bottom, false);
-        for (std::size_t k = 0; k + 1 < rings_.size(); ++k) add_between(k);
+        for (std::size_t k = 0; k + 1 < rings_.size(); ++k) {
+            begin_place_(k + 1);
+            add_between(k);
+        }
+        begin_place_(rings_.size());
         add_end(strand_.top, true);
     }
 
@@ -75,8 +86,14 @@ class StrandBuilder {
     void add_between(std::size_t k) {
         const bool at_saddle = is_bouquet(k) || is_bouquet(k + 1);
         const std::size_t steps = at_saddle ? std::max<std::size_t>(steps_, 3) : steps_;
-        const auto between = sliding_ && !at_saddle ? sliding_->contours_between(k, steps)
-                                                    : homotopy_->contours_between(k, steps);
+        std::vector<SampledContour> between;
+        if (!strand_.straight.contains(k + 1))
+            between = sliding_ && !at_saddle ? sliding_->contours_between(k, steps)
+                                             : homotopy_->contours_between(k, steps);
+        else if (at_saddle)
+            between = ContourHomotopy({rings_[k].shape, rings_[k + 1].shape}, {heights_[k], heights_[k + 1]},
+                                      {.kind = HomotopyKind::Linear})
+                          .contours_between(0, steps);
         Ring below = rings_[k];
         for (const SampledContour& shape : between) {
             Ring ring = surface_.add_ring(shape);
@@ -88,9 +105,26 @@ class StrandBuilder {
 
     void add_end(const StrandEnd& end, bool is_top) {
         const Ring& last = is_top ? rings_.back() : rings_.front();
-        if (end.kind == Kind::Flat) surface_.add_flat_cap(last, is_top, strand_.is_hole);
-        if (end.kind == Kind::Tip) add_rows(last, cap_rows(end.node, is_top), tip_ring(end.node), is_top);
-        if (end.kind == Kind::Approach) add_rows(last, end.approach, *end.ring, is_top);
+        const bool straight = strand_.straight.contains(is_top ? rings_.size() : 0);
+        switch (end.kind) {
+            case Kind::Flat:
+                return surface_.add_flat_cap(last, is_top, strand_.is_hole);
+            case Kind::Tip: {
+                const std::vector<Point3> targets(last.shape.points.size(), end.node);
+                return add_rows(last, straight ? kNoRows : cap_rows(targets, end, is_top), tip_ring(end.node),
+                                is_top);
+            }
+            case Kind::Ridge: {
+                const Ring ridge = with_origin(*end.ring, aligned_origin(last.shape, end.ring->shape));
+                const std::vector<Point3> targets = points_at(ridge.shape, last.shape.parameters);
+                return add_rows(last, straight ? kNoRows : cap_rows(targets, end, is_top), ridge, is_top);
+            }
+            case Kind::Approach:
+                return add_rows(last, straight ? kNoRows : end.approach, *end.ring, is_top);
+            case Kind::Ring:
+            case Kind::Through:
+                return;
+        }
     }
 
     Ring tip_ring(const Point3& tip) {
@@ -113,22 +147,28 @@ class StrandBuilder {
         add(end);
     }
 
-    //! Closer rows towards the tip, where the width falls like a root.
-    std::vector<SampledContour> cap_rows(const Point3& tip, bool is_top) const {
+    //! From a contour to a point of its own for each of its points, at the node's height. Rows are closer towards the end, where the
+    //! width falls like a root.
+    std::vector<SampledContour> cap_rows(const std::vector<Point3>& targets, const StrandEnd& end,
+                                         bool is_top) const {
+        const Point3& node = end.node;
         const Ring& last = is_top ? rings_.back() : rings_.front();
         const double height = is_top ? heights_.back() : heights_.front();
         const auto own = CapProfile::of(strand_.homotopy.kind);
-        const CapProfile profile = own ? *own : CapProfile::conic(end_slope(tip, is_top));
+        const CapProfile profile = own ? *own : CapProfile::conic(end_slope(targets, node.z, is_top));
         const Point3 mean = mean_point(last.shape);
         std::vector<SampledContour> rows;
         for (std::size_t j = steps_ - 1; j > 0; --j) {
             const double root = static_cast<double>(j) / static_cast<double>(steps_), x = root * root;
-            const double width = profile.width(x), z = tip.z + x * (height - tip.z);
-            const Point3 slide = cap_slide(tip, mean, x, width, z);
+            const double width = profile.width(x), z = node.z + x * (height - node.z);
+            const Point3 slide = end.kind == Kind::Tip ? cap_slide(node, mean, x, width, z) : Point3{};
             SampledContour row = last.shape;
-            for (Point3& p : row.points)
-                p = {tip.x + width * (p.x - tip.x) + slide.x, tip.y + width * (p.y - tip.y) + slide.y,
-                     z + width * (p.z - height)};
+            for (std::size_t i = 0; i < row.points.size(); ++i) {
+                Point3& p = row.points[i];
+                const Point3& target = targets[i];
+                p = {target.x + width * (p.x - target.x) + slide.x,
+                     target.y + width * (p.y - target.y) + slide.y, z + width * (p.z - height)};
+            }
             rows.push_back(std::move(row));
         }
         return rows;
@@ -144,8 +184,8 @@ class StrandBuilder {
     }
 
     //! How the contour's width goes on from a cap, d width / d x of CapProfile at x = 1.
-    double end_slope(const Point3& tip, bool is_top) const {
-        const double height = is_top ? heights_.back() : heights_.front(), rise = std::abs(height - tip.z);
+    double end_slope(const std::vector<Point3>& targets, double node_z, bool is_top) const {
+        const double height = is_top ? heights_.back() : heights_.front(), rise = std::abs(height - node_z);
         if (!homotopy_) return single_slope(rise);
         constexpr double kStep = 1e-3;
         const std::size_t interval = is_top ? homotopy_->intervals() - 1 : 0;
@@ -154,7 +194,7 @@ class StrandBuilder {
         const double way = kStep * (heights_[interval + 1] - heights_[interval]);
         double growth = 0, square = 0;
         for (std::size_t i = 0; i < beside.size(); ++i) {
-            const Point3 arm = contour.points[i] - tip, move = beside[i] - contour.points[i];
+            const Point3 arm = contour.points[i] - targets[i], move = beside[i] - contour.points[i];
             growth += arm.x * move.x + arm.y * move.y;
             square += arm.x * arm.x + arm.y * arm.y;
         }
@@ -171,6 +211,7 @@ class StrandBuilder {
     BandSurface& surface_;
     const Strand& strand_;
     std::size_t steps_;
+    const std::function<void(std::size_t)>& begin_place_;
     std::vector<Ring> rings_;  // given contours and rings at saddles that take part in the homotopy
     std::vector<double> heights_;
     std::optional<ContourHomotopy> homotopy_;
@@ -180,8 +221,9 @@ class StrandBuilder {
 
 }  // namespace
 
-void add_strand(BandSurface& surface, const Strand& strand, std::size_t steps) {
-    StrandBuilder(surface, strand, steps).run();
+void add_strand(BandSurface& surface, const Strand& strand, std::size_t steps,
+                const std::function<void(std::size_t place)>& begin_place) {
+    StrandBuilder(surface, strand, steps, begin_place).run();
 }
 
 }  // namespace stratareeb

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "reeb/band_surface.h"
@@ -16,14 +18,16 @@ struct StrandEnd {
     enum class Kind {
         Tip,       // at a minimum or maximum
         Flat,      // the last contour is closed by its inside
+        Ridge,     // a minimum or maximum all along a ring, where an outer contour and a hole's meet
         Approach,  // rows lead from the last contour to a ring at a saddle
         Ring,      // a ring at a saddle comes after the last contour, and is one of the homotopy's
         Through,   // the last contour is a ring at a saddle itself
     };
     Kind kind = Kind::Tip;
-    Point3 node;
-    std::vector<SampledContour> approach;  // from the last contour to the node, the ring's own shape left out
-    std::optional<Ring> ring;
+    Point3 node{};
+    std::vector<SampledContour>
+        approach{};  // from the last contour to the node, the ring's own shape left out
+    std::optional<Ring> ring{};
 };
 
 //! A family of contours from one node up to another.
@@ -33,10 +37,15 @@ struct Strand {
     HomotopyOptions homotopy;
     std::optional<Curve> lean;  // the edge's curve, if contours between are to lean along it
     bool is_hole = false;
-    StrandEnd bottom, top;
+    StrandEnd bottom{}, top{};
+    //! Places to be joined straight, without contours between: 0 at the bottom end, k between the k-th ring and the next, and so on
+    //! to the top end. Rings are the contours, and those of ends that are rings.
+    std::set<std::size_t> straight{};
 };
 
-//! Add a strand's bands, `steps` between two contours; two at least where a ring at a saddle visits the critical point more than once.
-void add_strand(BandSurface& surface, const Strand& strand, std::size_t steps);
+//! Add a strand's bands, `steps` between two contours; three at least beside a ring at a saddle, which may visit the critical point
+//! more than once. Tells of each place before its triangles come.
+void add_strand(BandSurface& surface, const Strand& strand, std::size_t steps,
+                const std::function<void(std::size_t place)>& begin_place);
 
 }  // namespace stratareeb

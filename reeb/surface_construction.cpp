@@ -8,8 +8,12 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "boreholes/errors.h"
+#include "mesh/self_intersection.h"
+#include "reeb/contour_alignment.h"
 #include "reeb/critical_bouquet.h"
 #include "reeb/graph_conditions.h"
 #include "reeb/graph_strands.h"
@@ -23,11 +27,17 @@ namespace {
 
 using Kind = StrandEnd::Kind;
 
+constexpr std::size_t kCrossingsLookedAt =
+    1000;  // pairs of triangles; where there are more, they come up again
+
 class Construction {
  public:
-    Construction(const EnhancedReebGraph& graph, const SurfaceOptions& options)
+    //! An edge, and a place on it (see Strand::straight).
+    using Place = std::pair<std::uint32_t, std::size_t>;
+
+    Construction(const EnhancedReebGraph& graph, const SurfaceOptions& options,
+                 const std::set<Place>& straight)
         : graph_(graph), options_(options), surface_(options.triangulation) {
-        check_graph(graph);
         const auto shapes = strands_of(graph, options.samples);
         const auto is_hole = hole_edges(graph, shapes);
         down_.resize(graph.nodes.size());
@@ -45,15 +55,47 @@ class Construction {
             up_[edge.from].push_back(e);
             down_[edge.to].push_back(e);
         }
+        for (const auto& [edge, place] : straight) strands_[edge].straight.insert(place);
     }
 
     ConstructedSurface run() {
         for (std::uint32_t n = 0; n < graph_.nodes.size(); ++n) make_node(n);
-        for (std::uint32_t e = 0; e < strands_.size(); ++e) {
-            surface_.begin_part(e);
-            add_strand(surface_, strands_[e], options_.steps);
-        }
-        return {surface_.soup(), surface_.triangle_parts()};
+        for (std::uint32_t e = 0; e < strands_.size(); ++e)
+            add_strand(surface_, strands_[e], options_.steps, [&](std::size_t place) {
+                surface_.begin_part(static_cast<std::uint32_t>(places_.size()));
+                places_.emplace_back(e, place);
+            });
+        ConstructedSurface result{.soup = surface_.soup(), .triangle_edge = {}, .crossings = {}};
+        for (const std::uint32_t part : surface_.triangle_parts())
+            result.triangle_edge.push_back(places_[part].first);
+        return result;
+    }
+
+    //! Pairs of places whose triangles cross.
+    std::set<std::pair<Place, Place>> crossing_places() const {
+        std::set<std::pair<Place, Place>> pairs;
+        const auto place = [&](std::uint32_t triangle) {
+            return places_[surface_.triangle_parts()[triangle]];
+        };
+        for (const auto& [a, b] : self_intersections(surface_.soup(), kCrossingsLookedAt).first)
+            pairs.emplace(std::minmax(place(a), place(b)));
+        return pairs;
+    }
+
+    //! A place in words.
+    std::string text_of_place(const Place& place) const {
+        const auto& [e, at] = place;
+        const EnhancedEdge& edge = graph_.edges[e];
+        const bool node_first = strands_[e].bottom.kind == Kind::Ring;
+        const auto ring = [&](std::size_t k) {  // counted from 0, those at nodes included
+            const std::size_t first = node_first ? 1 : 0;
+            if (k < first) return name(edge.from);
+            if (k - first >= edge.contours.size()) return name(edge.to);
+            return "contour " + text_of(graph_.contours[edge.contours[k - first]].id);
+        };
+        const std::string lower = at == 0 ? name(edge.from) : ring(at - 1);
+        const std::string upper = ring(at);
+        return fmt::format("between {} and {}", lower, upper);
     }
 
  private:
@@ -79,6 +121,8 @@ class Construction {
         const Side lower{down_[n], true}, upper{up_[n], false};
         const std::size_t below = lower.edges.size(), above = upper.edges.size();
         if (below + above == 1) return make_leaf(n, below == 1 ? lower : upper);
+        if (below + above == 2 && (below == 0 || above == 0))
+            return make_ridge(n, below == 0 ? upper : lower);
         if (below == 0 || above == 0)
             throw InvalidInput(fmt::format(
                 "{}: {} edges start or end there on one side and none on the other; let them meet in a "
@@ -95,6 +139,29 @@ class Construction {
         const std::uint32_t edge = side.edges.front();
         const bool flat = end_height(side, edge) == graph_.nodes[n].position.z;
         end(side, edge).kind = flat ? Kind::Flat : Kind::Tip;
+    }
+
+    //! Half way between an outer contour and the hole in it, at the node's height.
+    void make_ridge(std::uint32_t n, const Side& side) {
+        const bool first_is_outer = !strands_[side.edges[0]].is_hole;
+        if (strands_[side.edges[1]].is_hole != first_is_outer)
+            throw InvalidInput(name(n) +
+                               ": two edges start or end there that are not a contour and the hole in it; "
+                               "let them meet in a "
+                               "saddle first");
+        const std::uint32_t outer = side.edges[first_is_outer ? 0 : 1],
+                            hole = side.edges[first_is_outer ? 1 : 0];
+        SampledContour ridge = end_contour(side, outer);
+        const SampledContour& inner = end_contour(side, hole);
+        const auto across = points_at(with_origin(inner, aligned_origin(ridge, inner)), ridge.parameters);
+        for (std::size_t i = 0; i < across.size(); ++i)
+            ridge.points[i] = {(ridge.points[i].x + across[i].x) / 2, (ridge.points[i].y + across[i].y) / 2,
+                               graph_.nodes[n].position.z};
+        const Ring ring = surface_.add_ring(std::move(ridge));
+        for (const std::uint32_t e : side.edges) {
+            end(side, e).kind = Kind::Ridge;
+            end(side, e).ring = ring;
+        }
     }
 
     //! Do contours through a saddle say how they run together there?
@@ -207,6 +274,7 @@ class Construction {
     const SurfaceOptions& options_;
     BandSurface surface_;
     std::vector<Strand> strands_;
+    std::vector<Place> places_;  // by part of the surface
     std::vector<std::vector<std::uint32_t>> down_,
         up_;  // by node: edges that end there, edges that start there
 };
@@ -214,7 +282,22 @@ class Construction {
 }  // namespace
 
 ConstructedSurface construct_surface(const EnhancedReebGraph& graph, const SurfaceOptions& options) {
-    return Construction(graph, options).run();
+    check_graph(graph);
+    std::set<Construction::Place> straight;
+    while (true) {
+        Construction construction(graph, options, straight);
+        ConstructedSurface surface = construction.run();
+        surface.straightened = straight.size();
+        if (!options.avoid_crossings) return surface;
+        const auto pairs = construction.crossing_places();
+        const std::size_t before = straight.size();
+        for (const auto& [a, b] : pairs) straight.insert({a, b});
+        if (straight.size() > before) continue;
+        for (const auto& [a, b] : pairs)
+            surface.crossings.push_back(construction.text_of_place(a) + " and " +
+                                        construction.text_of_place(b));
+        return surface;
+    }
 }
 
 }  // namespace stratareeb

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "mesh/triangle_soup.h"
@@ -16,18 +17,24 @@ struct SurfaceOptions {
     std::size_t samples = 96;  // points on a contour that is no polygon
     double reach = 0.25;       // share of a contour that is drawn to a critical point with it (see Guide)
     BandTriangulation triangulation = BandTriangulation::Automatic;
+    bool avoid_crossings = true;  // join contours straight where those between would cross something
 };
 
 //! A closed surface, outward, with what each triangle was made from.
 struct ConstructedSurface {
     TriangleSoup soup;
     std::vector<std::uint32_t> triangle_edge;  // by triangle: edge of the graph
+    // Where the surface crosses itself all the same: pairs of places, each between two contours of an edge, in words. Not looked for unless
+    // crossings are to be avoided.
+    std::vector<std::string> crossings;
+    std::size_t straightened = 0;  // places where contours were joined straight to avoid crossings
 };
 
 //! The surface that an enhanced Reeb graph describes (thesis 2.1.2.3 and 2.1.2.4). Along an edge, contours between the given
 //! ones follow its homotopy, and lean along its curve if it has points of its own; a minimum or maximum closes the last contour by
 //! a cap (see CapProfile), or flat if that contour lies at its height. At a saddle, contours of the side with more of them are drawn to
-//! the critical point by quadrant guiding curves, or pass through it already; there they run together into those of the other side. All contours between
+//! the critical point by quadrant guiding curves, or pass through it already; there they run together into those of the other side. A node
+//! at which an outer contour and a hole's begin, or end, becomes a ridge all around between them. All contours between
 //! have the heights between, so the surface rises and falls nowhere but along edges: its Reeb graph over height
 //! is the given one (plateaus as one node). All given contours are on the surface, point by point.
 //! \throw InvalidInput if faults_of(graph) finds any, or where a node leaves open how its contours run together: it names the node and
