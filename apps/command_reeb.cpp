@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <chrono>
 #include <filesystem>
+#include <initializer_list>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "apps/command.h"
+#include "apps/enhanced_reeb.h"
 #include "apps/field_option.h"
 #include "apps/input_mesh.h"
 #include "apps/keep_existing.h"
+#include "apps/layered_reeb.h"
 #include "apps/progress.h"
+#include "apps/reeb_report.h"
 #include "boreholes/errors.h"
 #include "io/drawing_page.h"
 #include "io/mesh_format.h"
@@ -20,18 +23,9 @@
 #include "io/write_graph_drawing.h"
 #include "io/write_graph_json.h"
 #include "io/write_graph_lines.h"
-#include "mesh/analysis.h"
-#include "reeb/collapse_plateaus.h"
-#include "reeb/simplify.h"
 
 namespace stratareeb {
 namespace {
-
-struct ReebArguments {
-    std::string mesh, output, colored, loops, field = "z";
-    std::optional<double> simplify;
-    bool plateaus = false, pairs = false, repair = false, overwrite = false, json = false;
-};
 
 //! Whatever would stop the writing is asked before the work.
 void check_outputs(const ReebArguments& arguments) {
@@ -56,24 +50,6 @@ std::string label_of(const std::string& field) {
     return quantity + ", in units of the mesh";
 }
 
-std::string counted(std::size_t count, const char* thing) {
-    return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
-}
-
-struct CriticalCounts {
-    int minima = 0, saddles = 0, maxima = 0;  // saddles with their multiplicity
-};
-
-CriticalCounts critical_counts(const TriMesh& mesh, const ScalarField& field) {
-    CriticalCounts counts;
-    for (const CriticalPoint& point : critical_points(mesh, field)) {
-        counts.minima += point.type == CriticalType::Minimum;
-        counts.saddles += point.type == CriticalType::Saddle ? point.multiplicity : 0;
-        counts.maxima += point.type == CriticalType::Maximum;
-    }
-    return counts;
-}
-
 class Reeb {
  public:
     explicit Reeb(const ReebArguments& arguments) : arguments_(arguments) {}
@@ -81,32 +57,22 @@ class Reeb {
     void run() {
         check_outputs(arguments_);
         progress_.step("reading", 0);
-        input_ = read_input_mesh(arguments_.mesh, arguments_.repair);
+        input_ = read_input_mesh(arguments_.meshes.front(), arguments_.repair);
         progress_.step("field", 0.3);
         field_ = field_of(input_, arguments_.field);
         progress_.step("graph", 0.4);
-        find_graph();
+        asked_ = asked_graph(input_.mesh, field_,
+                             {.simplify = arguments_.simplify, .plateaus = arguments_.plateaus});
+        if (arguments_.pairs) pairs_ = persistence_pairs(graph());
         progress_.step("writing", 0.6);
         write_files();
         progress_.step("report", 0.9);
-        report();
+        progress_.clear();
+        arguments_.json ? print_json() : print_text();
     }
 
  private:
-    void find_graph() {
-        const auto start = std::chrono::steady_clock::now();
-        fine_ = reeb_graph(input_.mesh, field_);
-        seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        collapsed_ = collapse_plateaus(fine_);
-        if (arguments_.simplify)
-            simplified_ = simplify(collapsed_, input_.mesh, field_, *arguments_.simplify);
-        if (arguments_.pairs) pairs_ = persistence_pairs(graph());
-    }
-
-    //! The one that was asked for.
-    const ReebGraph& graph() const {
-        return simplified_ ? simplified_->graph : arguments_.plateaus ? collapsed_ : fine_;
-    }
+    const ReebGraph& graph() const { return asked_.graph(); }
 
     void write_files() const {
         const std::filesystem::path output = arguments_.output;
@@ -122,48 +88,26 @@ class Reeb {
     }
 
     void write_picture_of_graph(const std::filesystem::path& output) const {
-        const ArcIndex index(input_.mesh, field_, fine_);
-        const ArcMembers members = arc_members(fine_, graph());
+        const ArcIndex index(input_.mesh, field_, asked_.fine);
+        const ArcMembers members = arc_members(asked_.fine, graph());
         if (is_graph_lines_file(output)) {
             write_graph_lines(output, graph(), input_.mesh,
-                              coarse_arc_curves(input_.mesh, fine_, index, graph(), members));
+                              coarse_arc_curves(input_.mesh, asked_.fine, index, graph(), members));
             return;
         }
-        const std::string title = fmt::format(
-            "{}: Reeb graph of {}, {}, {}", std::filesystem::path(arguments_.mesh).filename().string(),
-            counted(graph().nodes.size(), "node"), counted(graph().arcs.size(), "arc"),
-            counted(graph().loops(), "loop"));
-        write_graph_drawing(output, {input_.mesh, field_, fine_, index, graph(), members},
+        const std::string title =
+            fmt::format("{}: Reeb graph of {}, {}, {}",
+                        std::filesystem::path(arguments_.meshes.front()).filename().string(),
+                        counted(graph().nodes.size(), "node"), counted(graph().arcs.size(), "arc"),
+                        counted(graph().loops(), "loop"));
+        write_graph_drawing(output, {input_.mesh, field_, asked_.fine, index, graph(), members},
                             {.title = title,
                              .value_label = label_of(arguments_.field),
                              .direction = field_direction(arguments_.field)});
     }
 
-    void report() {
-        const MeshReport mesh = analyze(input_.mesh, {.self_intersections = false});
-        const CriticalCounts critical = critical_counts(input_.mesh, field_);
-        progress_.clear();
-        arguments_.json ? print_json(mesh, critical) : print_text(mesh, critical);
-    }
-
-    void print_json(const MeshReport& mesh, const CriticalCounts& critical) const {
-        nlohmann::ordered_json json{
-            {"vertices", mesh.vertices},
-            {"triangles", mesh.triangles},
-            {"components", mesh.components},
-            {"boundary_loops", mesh.boundary_loops},
-            {"genus", mesh.genus.value_or(0)},
-            {"nodes", graph().nodes.size()},
-            {"arcs", graph().arcs.size()},
-            {"loops", graph().loops()},
-            {"collapsed", {{"nodes", collapsed_.nodes.size()}, {"arcs", collapsed_.arcs.size()}}},
-            {"critical",
-             {{"minimum", critical.minima}, {"saddle", critical.saddles}, {"maximum", critical.maxima}}},
-            {"seconds", seconds_}};
-        if (simplified_)
-            json["simplified"] = {{"threshold", simplified_->threshold},
-                                  {"pruned_branches", simplified_->pruned_branches},
-                                  {"closed_loops", simplified_->closed_loops}};
+    void print_json() const {
+        auto json = reeb_json(input_.mesh, field_, asked_);
         if (pairs_) {
             json["pairs"] = nlohmann::ordered_json::array();
             for (const PersistencePair& pair : *pairs_)
@@ -175,20 +119,8 @@ class Reeb {
         fmt::print("{}\n", json.dump(2));
     }
 
-    void print_text(const MeshReport& mesh, const CriticalCounts& critical) const {
-        fmt::print("{} in {}, genus {}, {}\n", counted(mesh.triangles, "triangle"),
-                   counted(mesh.components, "component"), mesh.genus.value_or(0),
-                   counted(mesh.boundary_loops, "boundary loop"));
-        fmt::print("Reeb graph: {}, {}, {}\n", counted(graph().nodes.size(), "node"),
-                   counted(graph().arcs.size(), "arc"), counted(graph().loops(), "loop"));
-        if (!arguments_.plateaus && !simplified_ && collapsed_.nodes.size() != fine_.nodes.size())
-            fmt::print("with each plateau as one node: {} nodes, {} arcs\n", collapsed_.nodes.size(),
-                       collapsed_.arcs.size());
-        if (simplified_)
-            fmt::print("simplified: {} branches and {} loops below {:.6g} left out\n",
-                       simplified_->pruned_branches, simplified_->closed_loops, simplified_->threshold);
-        fmt::print("critical points: {} minima, {} saddles, {} maxima\n", critical.minima, critical.saddles,
-                   critical.maxima);
+    void print_text() const {
+        fmt::print("{}", reeb_text(input_.mesh, field_, asked_));
         if (pairs_) print_pairs();
     }
 
@@ -204,10 +136,8 @@ class Reeb {
     Progress progress_{"reeb"};
     InputMesh input_;
     ScalarField field_;
-    ReebGraph fine_, collapsed_;
-    std::optional<SimplifiedGraph> simplified_;
+    AskedGraph asked_;
     std::optional<std::vector<PersistencePair>> pairs_;
-    double seconds_ = 0;
 };
 
 std::string complaint_of_share(const std::string& text) {
@@ -216,20 +146,61 @@ std::string complaint_of_share(const std::string& text) {
     return text + " is no share of the field's range (expected at least 0, below 1)";
 }
 
+void refuse(const CLI::App& command, std::initializer_list<const char*> options, const std::string& why) {
+    for (const char* option : options)
+        if (command.count(option) > 0) throw CLI::ValidationError(option, why);
+}
+
+void run(const CLI::App& command, const ReebArguments& arguments) {
+    if (!arguments.enhanced) refuse(command, {"--levels", "--tolerance"}, "goes with --enhanced");
+    if (arguments.meshes.size() > 1) {
+        refuse(command, {"--enhanced", "--colored", "--loops", "--pairs"},
+               "takes one mesh; several are joined in a layered graph");
+        return run_layered_reeb(arguments);
+    }
+    if (!arguments.enhanced) return Reeb(arguments).run();
+    refuse(command, {"--plateaus", "--simplify", "--colored", "--loops", "--pairs"},
+           "does not go with --enhanced");
+    if (!field_direction(arguments.field))
+        throw CLI::ValidationError("--field", "--enhanced takes x, y, z or a direction dx,dy,dz");
+    run_enhanced_reeb(arguments);
+}
+
+void add_enhanced_options(CLI::App& command, ReebArguments& arguments) {
+    command.add_flag("--enhanced", arguments.enhanced,
+                     "The graph with nodes in space, contours and edges through their centres, as .json, for "
+                     "reconstruct; of a closed mesh, over a direction");
+    command
+        .add_option("--levels", arguments.levels,
+                    "--enhanced: levels of the contours, evenly between lowest and highest")
+        ->check(CLI::Range(1, 1'000'000))
+        ->capture_default_str();
+    command
+        .add_option(
+            "--tolerance", arguments.tolerance,
+            "--enhanced: further contours until those between are as near as that, in units of the mesh")
+        ->check(CLI::PositiveNumber);
+}
+
 }  // namespace
 
 void add_reeb_command(CLI::App& program) {
     auto arguments = std::make_shared<ReebArguments>();
-    CLI::App* command = program.add_subcommand("reeb", "Reeb graph of a mesh");
-    command->add_option("MESH", arguments->mesh, "Mesh file, an oriented 2-manifold with or without boundary")
+    CLI::App* command =
+        program.add_subcommand("reeb", "Reeb graph of a mesh, or of several: the layers of a stack");
+    command
+        ->add_option(
+            "MESH", arguments->meshes,
+            "Mesh file, an oriented 2-manifold with or without boundary; several make a layered graph")
         ->required();
     command->add_option(
         "-o,--output", arguments->output,
         "File for the graph: .json, .dot, .graphml; lines in space .ply, .obj; drawing beside "
-        "the levels .svg, .pdf, .png");
+        "the levels .svg, .pdf, .png; of several meshes .json, .dot, .obj");
     command->add_option("--colored", arguments->colored, "PLY file for the mesh with each arc in a colour");
     command->add_option("--loops", arguments->loops, "Mesh file for the triangles of each loop's handle");
     add_field_option(*command, arguments->field);
+    add_enhanced_options(*command, *arguments);
     command->add_flag("--plateaus", arguments->plateaus,
                       "Each plateau as one node; else ties are broken by vertex index");
     command
@@ -241,7 +212,7 @@ void add_reeb_command(CLI::App& program) {
     add_repair_option(*command, arguments->repair);
     command->add_flag("--overwrite", arguments->overwrite, "Replace files that are there");
     command->add_flag("--json", arguments->json, "Print JSON");
-    command->callback([arguments] { Reeb(*arguments).run(); });
+    command->callback([arguments, command] { run(*command, *arguments); });
 }
 
 }  // namespace stratareeb
