@@ -2,8 +2,11 @@
 #include "reeb/band_surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <utility>
 
 #include "mesh/polygon_triangulation.h"
 #include "reeb/point_math.h"
@@ -18,6 +21,22 @@ Ring with_origin(const Ring& ring, double origin) {
     std::ranges::rotate(result.vertices, result.vertices.begin() + first);
     return result;
 }
+
+namespace {
+
+//! Triangles between two rings, by vertices, facing outward.
+std::vector<std::array<std::uint32_t, 3>> band_between(const Ring& lower, const Ring& upper, bool exact) {
+    BandOptions options;
+    options.method = exact ? BandMethod::Exact : BandMethod::Greedy;
+    auto triangles = toroidal_band(upper.shape.points, lower.shape.points, options).triangles;
+    const std::size_t m = upper.vertices.size();
+    for (auto& triangle : triangles)
+        for (std::uint32_t& corner : triangle)
+            corner = corner < m ? upper.vertices[corner] : lower.vertices[corner - m];
+    return triangles;
+}
+
+}  // namespace
 
 std::uint32_t BandSurface::add_point(const Point3& p) {
     soup_.points.push_back(p);
@@ -40,16 +59,20 @@ void BandSurface::add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c
 void BandSurface::add_band(const Ring& lower, const Ring& upper, bool is_hole) {
     if (lower.vertices.size() > 2 && lower.shape.parameters == upper.shape.parameters)
         return join_equal_parameters(lower, upper, is_hole);
-    const std::size_t m = upper.vertices.size(), n = lower.vertices.size();
+    const std::size_t spans = upper.vertices.size() * lower.vertices.size();
     const bool exact = triangulation_ == BandTriangulation::Exact ||
-                       (triangulation_ == BandTriangulation::Automatic && m * n <= kQuickSpans);
-    BandOptions options;
-    options.method = exact ? BandMethod::Exact : BandMethod::Greedy;
-    const Band band = toroidal_band(upper.shape.points, lower.shape.points, options);
-    const auto vertex = [&](std::uint32_t corner) {
-        return corner < m ? upper.vertices[corner] : lower.vertices[corner - m];
-    };
-    for (const auto& [a, b, c] : band.triangles) add_triangle(vertex(a), vertex(b), vertex(c), is_hole);
+                       (triangulation_ == BandTriangulation::Automatic && spans <= kQuickSpans);
+    for (const auto& [a, b, c] : band_between(lower, upper, exact)) add_triangle(a, b, c, is_hole);
+}
+
+bool BandSurface::add_sound_band(const Ring& lower, const Ring& upper, bool is_hole) {
+    const auto triangles = band_between(lower, upper, true);
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;  // of directed edges: none may come twice
+    for (const auto& t : triangles)
+        for (std::size_t i = 0; i < 3; ++i)
+            if (++uses[{t[i], t[(i + 1) % 3]}] > 1) return false;
+    for (const auto& [a, b, c] : triangles) add_triangle(a, b, c, is_hole);
+    return true;
 }
 
 void BandSurface::join_equal_parameters(const Ring& lower, const Ring& upper, bool is_hole) {

@@ -35,11 +35,15 @@ class BandSurface {
 
     std::uint32_t add_point(const Point3& p);
     Ring add_ring(SampledContour shape);
+    //! \pre no triangle has them
+    void drop_points_from(std::size_t first) { soup_.points.resize(first); }
     //! What is added from now on belongs to this part.
     void begin_part(std::uint32_t part) { part_ = part; }
     //! Triangles between two rings, both counter-clockwise seen from above, facing outward, or inward around a hole. Rings with
     //! equal parameters are joined parameter by parameter.
     void add_band(const Ring& lower, const Ring& upper, bool is_hole);
+    //! The same by least area, unless that joins a vertex that is on one ring twice to the same vertex of the other: then nothing.
+    bool add_sound_band(const Ring& lower, const Ring& upper, bool is_hole);
     //! The flat inside of a ring, facing up at a top.
     //! \throw InvalidInput if the ring crosses or touches itself
     void add_flat_cap(const Ring& ring, bool is_top, bool is_hole);

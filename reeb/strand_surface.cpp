@@ -90,6 +90,8 @@ class StrandBuilder {
         if (!strand_.straight.contains(k + 1))
             between = sliding_ && !at_saddle ? sliding_->contours_between(k, steps)
                                              : homotopy_->contours_between(k, steps);
+        else if (at_saddle && surface_.add_sound_band(rings_[k], rings_[k + 1], strand_.is_hole))
+            return;
         else if (at_saddle)
             between = ContourHomotopy({rings_[k].shape, rings_[k + 1].shape}, {heights_[k], heights_[k + 1]},
                                       {.kind = HomotopyKind::Linear})

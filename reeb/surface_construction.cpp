@@ -4,16 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "boreholes/errors.h"
+#include "mesh/ring_crossings.h"
 #include "mesh/self_intersection.h"
 #include "reeb/contour_alignment.h"
+#include "reeb/contour_touches.h"
 #include "reeb/critical_bouquet.h"
 #include "reeb/graph_conditions.h"
 #include "reeb/graph_strands.h"
@@ -175,18 +177,20 @@ class Construction {
         return visits > 1;
     }
 
-    //! Contours of one side run to the critical point; those of the other are what they become there.
+    //! Contours of one side run to the critical point; those of the other are what they become there. Where more than two can't
+    //! all reach one point without crossing, they touch across the gaps between them instead, at that height.
     void make_saddle(std::uint32_t n, const Side& given, const Side& across) {
         const Point3& critical = graph_.nodes[n].position;
-        const std::uint32_t vertex = surface_.add_point(critical);
-        std::vector<PointLoop> loops;
-        std::vector<bool> is_hole;
-        for (const std::uint32_t e : given.edges) {
-            lead_to(critical, vertex, given, e);
-            loops.push_back(end(given, e).ring->vertices);
-            is_hole.push_back(strands_[e].is_hole);
+        const bool through = is_given(n, given);
+        std::vector<std::vector<TouchedPlace>> places;
+        for (const std::uint32_t e : given.edges)
+            places.push_back({{through ? 0 : nearest_parameter(end_contour(given, e), critical), critical}});
+        const std::size_t points_before = surface_.points().size();
+        auto curves = lead_together(given, places, through);
+        if (!through && given.edges.size() > 2 && (!curves || curves->size() != across.edges.size())) {
+            surface_.drop_points_from(points_before);
+            curves = lead_together(given, gaps_between(given, critical.z), false);
         }
-        const auto curves = contours_across(loops, is_hole, vertex, surface_.points());
         if (!curves || curves->size() != across.edges.size())
             throw InvalidInput(fmt::format(
                 "{}: the {} contours {} it make {} there, not the {} {} it; move the node between them, or "
@@ -196,31 +200,64 @@ class Construction {
         assign(*curves, critical, across);
     }
 
-    void lead_to(const Point3& critical, std::uint32_t vertex, const Side& side, std::uint32_t e) {
-        StrandEnd& strand_end = end(side, e);
-        SampledContour shape = end_contour(side, e);
-        strand_end.kind = Kind::Through;
-        if (std::ranges::find(shape.points, critical) == shape.points.end()) {
-            strand_end.kind = Kind::Approach;
-            const std::array place{nearest_parameter(shape, critical)};
-            const double reach = reach_of(shape, place.front(), critical);
-            for (std::size_t k = 1; k < options_.steps; ++k)
-                strand_end.approach.push_back(
-                    approach(shape, place, critical,
-                             static_cast<double>(k) / static_cast<double>(options_.steps), reach));
-            shape = approach(shape, place, critical, 1, reach);
+    std::vector<std::vector<TouchedPlace>> gaps_between(const Side& side, double height) {
+        std::vector<SampledContour> contours;
+        for (const std::uint32_t e : side.edges) contours.push_back(end_contour(side, e));
+        std::vector<std::vector<TouchedPlace>> places(contours.size());
+        for (const ContourTouch& touch : contour_touches(contours, height)) {
+            places[touch.first].push_back({touch.first_parameter, touch.place});
+            places[touch.second].push_back({touch.second_parameter, touch.place});
         }
-        Ring ring{shape, {}};
-        for (const Point3& p : shape.points)
-            ring.vertices.push_back(p == critical ? vertex : surface_.add_point(p));
-        strand_end.ring = std::move(ring);
+        return places;
     }
 
-    //! The tent that is drawn out to the critical point is as wide as it is long, times kSlimness, so that it stays a tip.
-    double reach_of(const SampledContour& contour, double place, const Point3& critical) const {
-        constexpr double kSlimness = 3;
-        const Point3 way = critical - point_at(contour, place);
-        return std::min(options_.reach, kSlimness * std::hypot(way.x, way.y) / perimeter(contour.points));
+    using Vertices = std::map<std::tuple<double, double, double>, std::uint32_t>;
+
+    //! Lead contours to places of their own; what they are on the far side.
+    std::optional<std::vector<PointLoop>> lead_together(const Side& side,
+                                                        const std::vector<std::vector<TouchedPlace>>& places,
+                                                        bool through) {
+        Vertices vertices;  // by place
+        std::set<std::uint32_t> critical;
+        for (const auto& own : places)
+            for (const auto& [parameter, p] : own) {
+                const auto [at, is_new] = vertices.try_emplace({p.x, p.y, p.z}, 0);
+                if (is_new) at->second = surface_.add_point(p);
+                critical.insert(at->second);
+            }
+        std::vector<PointLoop> loops;
+        std::vector<bool> is_hole;
+        std::vector<std::vector<Point2>> outlines;
+        for (std::size_t i = 0; i < side.edges.size(); ++i) {
+            StrandEnd& strand_end = end(side, side.edges[i]);
+            lead_to(strand_end, end_contour(side, side.edges[i]), places[i], through, vertices);
+            loops.push_back(strand_end.ring->vertices);
+            is_hole.push_back(strands_[side.edges[i]].is_hole);
+            outlines.emplace_back();
+            for (const Point3& p : strand_end.ring->shape.points) outlines.back().push_back({p.x, p.y});
+        }
+        if (side.edges.size() > 2 && !ring_crossings(outlines, {.shared_corners = true, .most = 1}).empty())
+            return std::nullopt;
+        return contours_across(loops, is_hole, critical, surface_.points());
+    }
+
+    void lead_to(StrandEnd& strand_end, SampledContour shape, const std::vector<TouchedPlace>& places,
+                 bool through, const Vertices& vertices) {
+        strand_end.kind = through ? Kind::Through : Kind::Approach;
+        strand_end.approach.clear();
+        if (!through) {
+            for (std::size_t k = 1; k < options_.steps; ++k)
+                strand_end.approach.push_back(approach_places(
+                    shape, places, static_cast<double>(k) / static_cast<double>(options_.steps),
+                    options_.reach));
+            shape = approach_places(shape, places, 1, options_.reach);
+        }
+        Ring ring{shape, {}};
+        for (const Point3& p : shape.points) {
+            const auto known = vertices.find({p.x, p.y, p.z});
+            ring.vertices.push_back(known != vertices.end() ? known->second : surface_.add_point(p));
+        }
+        strand_end.ring = std::move(ring);
     }
 
     //! Each curve to the edge whose contour is nearest, the nearest pair first.

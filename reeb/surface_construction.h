@@ -13,7 +13,7 @@
 namespace stratareeb {
 
 struct SurfaceOptions {
-    std::size_t steps = 4;     // bands between two given contours, or a contour and a critical point
+    std::size_t steps = 6;     // bands between two given contours, or a contour and a critical point
     std::size_t samples = 96;  // points on a contour that is no polygon
     double reach = 0.25;       // share of a contour that is drawn to a critical point with it (see Guide)
     BandTriangulation triangulation = BandTriangulation::Automatic;

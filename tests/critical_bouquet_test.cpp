@@ -27,7 +27,7 @@ struct Case {
         contours.push_back({0, first, first + 1});
         is_hole.push_back(hole);
     }
-    auto across() const { return contours_across(contours, is_hole, 0, points); }
+    auto across() const { return contours_across(contours, is_hole, {0}, points); }
 };
 
 //! The same curve from its least rotation.
@@ -87,7 +87,7 @@ TEST(CriticalBouquet, seen_from_the_far_side_is_what_it_was) {
         const auto across = c.across();
         ASSERT_TRUE(across);
         ASSERT_EQ(across->size(), 1u);
-        const auto back = contours_across(*across, {false}, 0, c.points);
+        const auto back = contours_across(*across, {false}, {0}, c.points);
         ASSERT_TRUE(back);
         std::vector<PointLoop> expected, found;
         for (const auto& loop : c.contours) expected.push_back(turned(loop));
@@ -96,6 +96,18 @@ TEST(CriticalBouquet, seen_from_the_far_side_is_what_it_was) {
         std::ranges::sort(found);
         EXPECT_EQ(found, expected);
     }
+}
+
+// Three squares in a row that touch at two points of one height.
+TEST(CriticalBouquet, joins_a_chain_of_contours) {
+    Case c;
+    c.points = {{0, 0, 0}, {4, 0, 0}, {-2, -1, 0}, {-2, 1, 0}, {2, -1, 0}, {2, 1, 0}, {6, -1, 0}, {6, 1, 0}};
+    c.contours = {{0, 3, 2}, {0, 4, 1, 5}, {6, 7, 1}};
+    c.is_hole = {false, false, false};
+    const auto across = contours_across(c.contours, c.is_hole, {0, 1}, c.points);
+    ASSERT_TRUE(across);
+    ASSERT_EQ(across->size(), 1u);
+    EXPECT_EQ(turned(across->front()), (PointLoop{0, 3, 2, 0, 4, 1, 6, 7, 1, 5}));
 }
 
 TEST(CriticalBouquet, has_no_answer_where_contours_cross) {

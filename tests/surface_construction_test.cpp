@@ -254,6 +254,40 @@ TEST(SurfaceConstruction, gives_back_the_graph_of_a_thousand_random_ones) {
     EXPECT_GT(loops, 100u);
 }
 
+// A plate with a hole, lying flat: both its ends are ridges all around.
+TEST(SurfaceConstruction, makes_ridges_around_a_ring) {
+    const auto graph =
+        graph_of({{2, 0, 0}, {2, 0, 2}}, {{0, 1, {circle(0, 0, 1, 3)}}, {0, 1, {circle(0.1, 0, 1, 1)}}});
+    const auto surface = construct_surface(graph);
+    expect_surface_of(graph, surface, "ring");
+    EXPECT_TRUE(surface.crossings.empty());
+}
+
+// Five stumps in a row join at one height: no point lies between them all.
+TEST(SurfaceConstruction, joins_many_contours_across_the_gaps_between_them) {
+    std::vector<Point3> nodes{{0, 0.2, 2}, {0, 0, 4}};
+    std::vector<Point3> oval;
+    for (int k = 0; k < 64; ++k) {
+        const double angle = 2 * std::numbers::pi * k / 64;
+        oval.push_back({6.5 * std::cos(angle), 2 * std::sin(angle), 3});
+    }
+    std::vector<Line> lines{{0, 1, {polygon(oval)}}};
+    for (int k = -2; k <= 2; ++k) {
+        nodes.push_back({2.4 * k, 0, 0.01 * k});
+        lines.push_back(
+            {static_cast<std::uint32_t>(nodes.size() - 1), 0, {circle(2.4 * k, 0, 1, 0.9 + 0.02 * k)}});
+    }
+    expect_surface(graph_of(nodes, lines), "five stumps");
+    expect_surface(mirrored(graph_of(nodes, lines)), "five branches");
+}
+
+// A horseshoe shrinks to a point in one of its arms.
+TEST(SurfaceConstruction, caps_contours_that_see_no_center) {
+    const auto shoe =
+        polygon({{0, 0, 1}, {9, 0, 1}, {9, 9, 1}, {7, 9, 1}, {7, 2, 1}, {2, 2, 1}, {2, 9, 1}, {0, 9, 1}});
+    expect_surface(graph_of({{1, 8, 0}, {8, 8, 2}}, {{0, 1, {shoe}}}), "horseshoe");
+}
+
 TEST(SurfaceConstruction, says_what_it_cannot_make) {
     const auto message = [](const EnhancedReebGraph& graph) {
         try {
@@ -268,7 +302,7 @@ TEST(SurfaceConstruction, says_what_it_cannot_make) {
     EXPECT_NE(message(pass).find("node 1: one edge ends and one starts"), std::string::npos) << message(pass);
     const auto ring = graph_of({{0, 0, 0}, {0, 0, 3}, {4, 0, 3.5}},
                                {{0, 1, {circle(0, 0, 1, 1)}}, {0, 2, {circle(4, 0, 1, 1)}}});
-    EXPECT_NE(message(ring).find("node 0: 2 edges start"), std::string::npos) << message(ring);
+    EXPECT_NE(message(ring).find("node 0: two edges start"), std::string::npos) << message(ring);
 }
 
 }  // namespace
