@@ -18,6 +18,7 @@
 #include "boreholes/errors.h"
 #include "io/write_enhanced_graph.h"
 #include "io/write_mesh.h"
+#include "io/write_picture.h"
 #include "mesh/analysis.h"
 #include "mesh/normals.h"
 #include "reeb/surface_construction.h"
@@ -26,7 +27,7 @@ namespace stratareeb {
 namespace {
 
 struct ReconstructArguments {
-    std::string input, output, graph;
+    std::string input, output, graph, picture;
     StackOptions stack;
     std::optional<HomotopyKind> homotopy;
     SurfaceOptions surface;
@@ -39,6 +40,11 @@ void check_outputs(const ReconstructArguments& arguments) {
     keep_existing(arguments.output, arguments.overwrite);
     if (format == MeshFormat::Obj)
         keep_existing(std::filesystem::path(arguments.output).replace_extension(".mtl"), arguments.overwrite);
+    if (!arguments.picture.empty()) {
+        if (std::filesystem::path(arguments.picture).extension() != ".png")
+            throw IoError(arguments.picture + ": pictures are written as .png");
+        keep_existing(arguments.picture, arguments.overwrite);
+    }
     if (arguments.graph.empty()) return;
     if (std::filesystem::path(arguments.graph).extension() != ".json")
         throw IoError(arguments.graph + ": enhanced Reeb graphs are written as .json");
@@ -106,7 +112,8 @@ class Reconstruct {
         std::string text;
         for (std::size_t i = 0; i < places.size() && i < kTold; ++i) text += fmt::format("  {}\n", places[i]);
         if (places.size() > kTold) text += fmt::format("  and {} more\n", places.size() - kTold);
-        return text;
+        if (report_.problems.size() == 1) text += fmt::format("  {}\n", report_.problems.front());
+        return text + (input_.stack ? contours_named_in(text, input_) : "");
     }
 
     void write() const {
@@ -115,6 +122,19 @@ class Reconstruct {
         write_mesh_parts(output, {{.name = output.stem().string(),
                                    .soup = surface_.soup,
                                    .normals = vertex_normals(surface_.soup)}});
+        if (!arguments_.picture.empty()) draw();
+    }
+
+    void draw() const {
+        constexpr const char* kClay = "#c8a26a";
+        LayerSolid solid{.order = 1,
+                         .unit = {.code = "1",
+                                  .name = std::filesystem::path(arguments_.input).stem().string(),
+                                  .color = kClay},
+                         .surface = half_edge_mesh(surface_.soup)};
+        update_vertex_normals(solid.surface);
+        write_picture(arguments_.picture, {&solid, 1},
+                      {.width = 1000, .height = 700, .vertical_exaggeration = 1});
     }
 
     void print_json() const {
@@ -209,6 +229,7 @@ void add_reconstruct_command(CLI::App& program) {
         ->required();
     add_surface_options(*command, *arguments);
     add_stack_options(*command, arguments->stack);
+    command->add_option("--picture", arguments->picture, "File for a picture of the surface, .png");
     command->add_option("--graph", arguments->graph, "Contours: file for the graph found in them, .json");
     command->add_flag("--allow-crossings", arguments->allow_crossings,
                       "Write a surface that crosses itself too");

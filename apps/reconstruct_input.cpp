@@ -87,20 +87,40 @@ void add_stack_options(CLI::App& command, StackOptions& options) {
 bool is_enhanced_graph_file(const std::string& file) {
     if (first_character(file) != '{') return false;
     const auto keys = outer_keys(file_content(file));
+    if (keys.contains("nodes") && keys.contains("arcs"))
+        throw InvalidInput(file +
+                           ": a Reeb graph without its contours; `reeb MESH --enhanced` writes one with");
     return (keys.contains("nodes") || keys.contains("edges")) && !keys.contains("type");
 }
 
 ReconstructInput read_reconstruct_input(const std::string& file, const StackOptions& options) {
-    if (is_enhanced_graph_file(file)) return {read_enhanced_graph(file), std::nullopt};
+    if (is_enhanced_graph_file(file)) return {read_enhanced_graph(file), std::nullopt, {}};
     const ContourStack contours = read_contour_stack(file, options.read);
     try {
-        ReconstructInput input{{}, graph_of_stack(contours, options.graph)};
+        ReconstructInput input{{}, graph_of_stack(contours, options.graph), {}};
+        for (const std::uint32_t c : input.stack->source)
+            input.sources.push_back(
+                fmt::format("{}, at height {:.10g}", contours.contours[c].name, contours.contours[c].z));
         tell_dropped(file, *input.stack);
         input.graph = std::move(input.stack->graph);
         return input;
     } catch (const InvalidInput& error) {
         throw InvalidInput(fmt::format("{}: {}", file, error.what()));
     }
+}
+
+std::string contours_named_in(const std::string& message, const ReconstructInput& input) {
+    std::string text;
+    for (std::size_t c = 0; c < input.sources.size(); ++c) {
+        const std::string name = "contour " + text_of(input.graph.contours[c].id);
+        for (auto at = message.find(name); at != std::string::npos; at = message.find(name, at + 1)) {
+            const std::size_t end = at + name.size();
+            if (end < message.size() && message[end] >= '0' && message[end] <= '9') continue;
+            text += fmt::format("  {}: {}\n", name, input.sources[c]);
+            break;
+        }
+    }
+    return text;
 }
 
 void refuse_stack_options(const CLI::App& command) {

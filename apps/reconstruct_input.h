@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/read_contour_stack.h"
 #include "reeb/graph_of_stack.h"
@@ -15,7 +16,12 @@ namespace stratareeb {
 struct ReconstructInput {
     EnhancedReebGraph graph;
     std::optional<StackGraph> stack;  // its graph has moved to `graph`; nothing if the file was a graph
+    std::vector<std::string>
+        sources;  // of a stack, by contour of the graph: what the file calls it, and its height
 };
+
+//! For each contour that a message calls "contour ID": a line that says which one of the file that is.
+std::string contours_named_in(const std::string& message, const ReconstructInput& input);
 
 struct StackOptions {
     ReadContourStackOptions read;
@@ -26,7 +32,7 @@ struct StackOptions {
 void add_stack_options(CLI::App& command, StackOptions& options);
 
 //! Is the file's content a JSON object with nodes or edges?
-//! \throw IoError if it can't be read
+//! \throw IoError if it can't be read, InvalidInput if it is a Reeb graph without contours
 bool is_enhanced_graph_file(const std::string& file);
 
 //! \throw InvalidInput, IoError with the file's name

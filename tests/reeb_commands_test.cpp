@@ -138,6 +138,110 @@ TEST_F(ReebCommands, reeb_reports_pairs) {
     EXPECT_NE(run("reeb " + quoted(torus_) + " --pairs").out.find("component"), std::string::npos);
 }
 
+TEST_F(ReebCommands, several_meshes_make_a_layered_graph) {
+    const TriMesh ball = half_edge_mesh(shapes::uv_sphere(2, 16, 24));
+    write_mesh(file("ball.ply"), {"ball", "", &ball});
+    const std::string meshes = "torus.ply ball.ply --field 1,0.1,0.05 ";
+    const auto result = run("reeb " + meshes + "--json -o l.json");
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    auto json = nlohmann::json::parse(result.out);
+    ASSERT_EQ(json["layers"].size(), 2u);
+    EXPECT_EQ(json["layers"][0]["name"], "torus");
+    EXPECT_EQ(json["layers"][1]["name"], "ball");
+    const auto alone =
+        nlohmann::json::parse(run("reeb " + quoted(torus_) + " --field 1,0.1,0.05 --json").out);
+    for (const char* key : {"vertices", "triangles", "genus", "nodes", "arcs", "loops", "critical"})
+        EXPECT_EQ(json["layers"][0][key], alone[key]) << key;
+    EXPECT_EQ(json["nodes"], 6);  // 4 of the torus, 2 of the ball, all at heights of their own
+    const auto written = parsed(file("l.json"));
+    EXPECT_EQ(written["layers"], (nlohmann::json{"torus", "ball"}));
+    EXPECT_EQ(written["nodes"].size(), json["nodes"]);
+    EXPECT_EQ(written["arcs"].size(), json["arcs"]);
+    EXPECT_EQ(run("reeb " + meshes + "-o l.json").exit_code, 1) << "is there already";
+    EXPECT_EQ(run("reeb " + meshes + "-o l.dot").exit_code, 0);
+    EXPECT_EQ(run("reeb " + meshes + "-o l.obj").exit_code, 0);
+    EXPECT_NE(run("reeb " + meshes).out.find("layered Reeb graph: 6 nodes"), std::string::npos);
+}
+
+TEST_F(ReebCommands, layered_graphs_are_simplified_and_named_apart) {
+    const TriMesh rough = half_edge_mesh(shapes::terrain(30)), flat = half_edge_mesh(shapes::disc(20, 1));
+    std::filesystem::create_directory(file("deep"));
+    write_mesh(file("t.ply"), {"terrain", "", &rough});
+    write_mesh(file("deep/t.ply"), {"disc", "", &flat});
+    const auto json_of = [&](const std::string& options) {
+        const auto result = run("reeb t.ply deep/t.ply --json " + options);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return nlohmann::json::parse(result.out);
+    };
+    const auto all = json_of(""), few = json_of("--simplify 0.3");
+    EXPECT_EQ(all["layers"][1]["name"], "deep/t.ply");
+    EXPECT_LT(few["nodes"], all["nodes"]);
+    EXPECT_LT(few["layers"][0]["nodes"], all["layers"][0]["nodes"]);
+}
+
+TEST_F(ReebCommands, options_that_do_not_go_together_exit_2) {
+    const std::string two = "reeb torus.ply torus.ply ", one = "reeb torus.ply ";
+    for (const char* option : {"--colored c.ply", "--loops l.ply", "--pairs", "--enhanced", "--levels 5"})
+        EXPECT_EQ(run(two + option).exit_code, 2) << option;
+    for (const char* option : {"--colored c.ply", "--loops l.ply", "--pairs", "--plateaus", "--simplify 0.1",
+                               "--levels 0", "--tolerance 0", "--field distance:0,0,0", "--field property:z"})
+        EXPECT_EQ(run(one + "--enhanced " + option).exit_code, 2) << option;
+    for (const char* option : {"--levels 5", "--tolerance 0.1"})
+        EXPECT_EQ(run(one + option).exit_code, 2) << option;
+    EXPECT_EQ(run(two + "-o l.svg").exit_code, 1);
+    EXPECT_EQ(run("reeb torus.ply none.ply").exit_code, 1);
+    EXPECT_EQ(run(one + "--enhanced -o g.dot").exit_code, 1);
+    EXPECT_EQ(folder_.size(), 2u);  // the two meshes alone
+}
+
+TEST_F(ReebCommands, enhanced_graphs_stand_in_turned_coordinates) {
+    const auto result = run("reeb torus.ply --enhanced --field 3,0.3,0.15 --levels 12 --json -o g.json");
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.err.find("turned"), std::string::npos);
+    const auto json = nlohmann::json::parse(result.out);
+    EXPECT_EQ(json["nodes"], 4);
+    EXPECT_EQ(json["loops"], 1);
+    const auto graph = parsed(file("g.json"));
+    ASSERT_EQ(graph["nodes"].size(), 4u);
+    EXPECT_EQ(graph["contours"].size(), json["contours"]);
+    EXPECT_NE(graph["comment"].get<std::string>().find("(3, 0.3, 0.15) is up"), std::string::npos);
+    // Heights are those along the direction: nearly x, whose extremes are -4 and 4; lengths stay.
+    EXPECT_NEAR(double(graph["nodes"][0]["position"][2]), -4, 0.05);
+    EXPECT_NEAR(double(graph["nodes"][3]["position"][2]), 4, 0.05);
+    const auto down = run("reeb torus.ply --enhanced --field=-1,-0.1,-0.05 -o d.json");
+    ASSERT_EQ(down.exit_code, 0) << down.err;
+    const auto overturned = parsed(file("d.json"));
+    for (int n : {0, 3})  // upside down: the mesh looks the same from there, being symmetric
+        EXPECT_NEAR(double(overturned["nodes"][n]["position"][2]), double(graph["nodes"][n]["position"][2]),
+                    1e-9);
+    ASSERT_EQ(
+        run("reeb torus.ply --enhanced --field 3,0.3,0.15 --levels 12 --tolerance 0.01 -o f.json").exit_code,
+        0);
+    EXPECT_GT(parsed(file("f.json"))["contours"].size(), graph["contours"].size());
+    EXPECT_EQ(run("reeb torus.ply --enhanced -o g.json").exit_code, 1) << "is there already";
+}
+
+TEST_F(ReebCommands, enhanced_graphs_of_plateaus_and_open_meshes_are_refused) {
+    TriangleSoup soup = shapes::torus(3, 1, 24, 12);
+    for (Point3& p : soup.points) p = {p.z, p.x, p.y};  // its axis is x
+    const TriMesh wheel = half_edge_mesh(soup), open = half_edge_mesh(shapes::terrain(10));
+    write_mesh(file("wheel.ply"), {"wheel", "", &wheel});
+    write_mesh(file("open.ply"), {"open", "", &open});
+    const auto level = run("reeb torus.ply --enhanced -o g.json");  // it lies on its side
+    EXPECT_EQ(level.exit_code, 1);
+    EXPECT_NE(level.err.find("plateau"), std::string::npos);
+    EXPECT_NE(level.err.find("--field 0.001,0.0007,1"), std::string::npos) << level.err;
+    EXPECT_EQ(run("reeb torus.ply --enhanced --field 0.001,0.0007,1 -o g.json").exit_code, 0);
+    const auto side = run("reeb wheel.ply --enhanced --field x");
+    EXPECT_EQ(side.exit_code, 1);
+    EXPECT_NE(side.err.find("--field 1,"), std::string::npos) << side.err;
+    const auto boundary = run("reeb open.ply --enhanced");
+    EXPECT_EQ(boundary.exit_code, 1);
+    EXPECT_NE(boundary.err.find("boundary"), std::string::npos);
+    EXPECT_EQ(boundary.err.find("--field"), std::string::npos);
+    EXPECT_EQ(run("reeb wheel.ply --enhanced --field 0,0,0").exit_code, 1);
+}
+
 TEST_F(ReebCommands, fields_come_from_distances_files_and_properties) {
     const auto json_of = [&](const std::string& field) {
         const auto result = run("reeb " + quoted(torus_) + " --json --plateaus --field " + field);
