@@ -40,6 +40,7 @@ std::vector<std::array<std::uint32_t, 3>> band_between(const Ring& lower, const 
 
 std::uint32_t BandSurface::add_point(const Point3& p) {
     soup_.points.push_back(p);
+    is_free_.push_back(false);
     return static_cast<std::uint32_t>(soup_.points.size() - 1);
 }
 
@@ -47,6 +48,7 @@ Ring BandSurface::add_ring(SampledContour shape) {
     std::vector<std::uint32_t> vertices(shape.points.size());
     std::iota(vertices.begin(), vertices.end(), static_cast<std::uint32_t>(soup_.points.size()));
     soup_.points.insert(soup_.points.end(), shape.points.begin(), shape.points.end());
+    is_free_.resize(soup_.points.size(), false);
     return {std::move(shape), std::move(vertices)};
 }
 

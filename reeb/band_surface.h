@@ -35,8 +35,17 @@ class BandSurface {
 
     std::uint32_t add_point(const Point3& p);
     Ring add_ring(SampledContour shape);
+    //! Vertices near a saddle that no given contour holds fast.
+    void let_free(std::uint32_t vertex) { is_free_[vertex] = true; }
+    void let_free(const Ring& ring) {
+        for (const std::uint32_t vertex : ring.vertices) let_free(vertex);
+    }
+    const std::vector<bool>& free_vertices() const { return is_free_; }
     //! \pre no triangle has them
-    void drop_points_from(std::size_t first) { soup_.points.resize(first); }
+    void drop_points_from(std::size_t first) {
+        soup_.points.resize(first);
+        is_free_.resize(first);
+    }
     //! What is added from now on belongs to this part.
     void begin_part(std::uint32_t part) { part_ = part; }
     //! Triangles between two rings, both counter-clockwise seen from above, facing outward, or inward around a hole. Rings with
@@ -59,6 +68,7 @@ class BandSurface {
     BandTriangulation triangulation_;
     TriangleSoup soup_;
     std::vector<std::uint32_t> parts_;  // by triangle
+    std::vector<bool> is_free_;         // by vertex
     std::uint32_t part_ = 0;
 };
 

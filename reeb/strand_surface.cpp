@@ -99,6 +99,7 @@ class StrandBuilder {
         Ring below = rings_[k];
         for (const SampledContour& shape : between) {
             Ring ring = surface_.add_ring(shape);
+            if (at_saddle) surface_.let_free(ring);
             surface_.add_band(below, ring, strand_.is_hole);
             below = std::move(ring);
         }
@@ -122,7 +123,7 @@ class StrandBuilder {
                 return add_rows(last, straight ? kNoRows : cap_rows(targets, end, is_top), ridge, is_top);
             }
             case Kind::Approach:
-                return add_rows(last, straight ? kNoRows : end.approach, *end.ring, is_top);
+                return add_rows(last, straight ? kNoRows : end.approach, *end.ring, is_top, true);
             case Kind::Ring:
             case Kind::Through:
                 return;
@@ -134,7 +135,8 @@ class StrandBuilder {
     }
 
     //! From a contour outwards, up or down.
-    void add_rows(Ring from, const std::vector<SampledContour>& rows, const Ring& end, bool upward) {
+    void add_rows(Ring from, const std::vector<SampledContour>& rows, const Ring& end, bool upward,
+                  bool at_saddle = false) {
         const auto add = [&](const Ring& to) {
             if (upward)
                 surface_.add_band(from, to, strand_.is_hole);
@@ -143,6 +145,7 @@ class StrandBuilder {
         };
         for (const SampledContour& row : rows) {
             Ring ring = surface_.add_ring(row);
+            if (at_saddle) surface_.let_free(ring);
             add(ring);
             from = std::move(ring);
         }

@@ -20,6 +20,7 @@
 #include "reeb/graph_conditions.h"
 #include "reeb/graph_strands.h"
 #include "reeb/guiding_curve.h"
+#include "reeb/plan_fairing.h"
 #include "reeb/point_math.h"
 #include "reeb/strand_surface.h"
 
@@ -29,6 +30,7 @@ namespace {
 
 using Kind = StrandEnd::Kind;
 
+constexpr std::size_t kFairingRounds = 4;
 constexpr std::size_t kCrossingsLookedAt =
     1000;  // pairs of triangles; where there are more, they come up again
 
@@ -60,7 +62,7 @@ class Construction {
         for (const auto& [edge, place] : straight) strands_[edge].straight.insert(place);
     }
 
-    ConstructedSurface run() {
+    ConstructedSurface run(std::size_t fairing_rounds) {
         for (std::uint32_t n = 0; n < graph_.nodes.size(); ++n) make_node(n);
         for (std::uint32_t e = 0; e < strands_.size(); ++e)
             add_strand(surface_, strands_[e], options_.steps, [&](std::size_t place) {
@@ -68,18 +70,19 @@ class Construction {
                 places_.emplace_back(e, place);
             });
         ConstructedSurface result{.soup = surface_.soup(), .triangle_edge = {}, .crossings = {}};
+        fair_in_plan(result.soup, surface_.free_vertices(), fairing_rounds);
         for (const std::uint32_t part : surface_.triangle_parts())
             result.triangle_edge.push_back(places_[part].first);
         return result;
     }
 
     //! Pairs of places whose triangles cross.
-    std::set<std::pair<Place, Place>> crossing_places() const {
+    std::set<std::pair<Place, Place>> crossing_places(const TriangleSoup& soup) const {
         std::set<std::pair<Place, Place>> pairs;
         const auto place = [&](std::uint32_t triangle) {
             return places_[surface_.triangle_parts()[triangle]];
         };
-        for (const auto& [a, b] : self_intersections(surface_.soup(), kCrossingsLookedAt).first)
+        for (const auto& [a, b] : self_intersections(soup, kCrossingsLookedAt).first)
             pairs.emplace(std::minmax(place(a), place(b)));
         return pairs;
     }
@@ -256,6 +259,7 @@ class Construction {
         for (const Point3& p : shape.points) {
             const auto known = vertices.find({p.x, p.y, p.z});
             ring.vertices.push_back(known != vertices.end() ? known->second : surface_.add_point(p));
+            if (!through && known == vertices.end()) surface_.let_free(ring.vertices.back());
         }
         strand_end.ring = std::move(ring);
     }
@@ -321,15 +325,19 @@ class Construction {
 ConstructedSurface construct_surface(const EnhancedReebGraph& graph, const SurfaceOptions& options) {
     check_graph(graph);
     std::set<Construction::Place> straight;
+    bool faired = false;
     while (true) {
         Construction construction(graph, options, straight);
-        ConstructedSurface surface = construction.run();
+        ConstructedSurface surface = construction.run(faired ? kFairingRounds : 0);
         surface.straightened = straight.size();
         if (!options.avoid_crossings) return surface;
-        const auto pairs = construction.crossing_places();
+        const auto pairs = construction.crossing_places(surface.soup);
+        if (pairs.empty()) return surface;
+        // Straight where contours between cross something; then relaxed; then both.
         const std::size_t before = straight.size();
         for (const auto& [a, b] : pairs) straight.insert({a, b});
         if (straight.size() > before) continue;
+        if (!std::exchange(faired, true)) continue;
         for (const auto& [a, b] : pairs)
             surface.crossings.push_back(construction.text_of_place(a) + " and " +
                                         construction.text_of_place(b));

@@ -17,7 +17,7 @@ struct SurfaceOptions {
     std::size_t samples = 96;  // points on a contour that is no polygon
     double reach = 0.25;       // share of a contour that is drawn to a critical point with it (see Guide)
     BandTriangulation triangulation = BandTriangulation::Automatic;
-    bool avoid_crossings = true;  // join contours straight where those between would cross something
+    bool avoid_crossings = true;  // see below
 };
 
 //! A closed surface, outward, with what each triangle was made from.
@@ -36,7 +36,9 @@ struct ConstructedSurface {
 //! the critical point by quadrant guiding curves, or pass through it already; there they run together into those of the other side. A node
 //! at which an outer contour and a hole's begin, or end, becomes a ridge all around between them. All contours between
 //! have the heights between, so the surface rises and falls nowhere but along edges: its Reeb graph over height
-//! is the given one (plateaus as one node). All given contours are on the surface, point by point.
+//! is the given one (plateaus as one node). All given contours are on the surface, point by point. Where contours between would cross
+//! something, those around are joined straight; if that does not help, what is near saddles is relaxed in plan (see fair_in_plan); what
+//! crosses still is named.
 //! \throw InvalidInput if faults_of(graph) finds any, or where a node leaves open how its contours run together: it names the node and
 //! the way out.
 ConstructedSurface construct_surface(const EnhancedReebGraph& graph, const SurfaceOptions& options = {});
