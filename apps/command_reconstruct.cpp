@@ -134,7 +134,7 @@ class Reconstruct {
                          .surface = half_edge_mesh(surface_.soup)};
         update_vertex_normals(solid.surface);
         write_picture(arguments_.picture, {&solid, 1},
-                      {.width = 1000, .height = 700, .vertical_exaggeration = 1});
+                      {.width = 800, .height = 560, .vertical_exaggeration = 1, .length_unit = "units"});
     }
 
     void print_json() const {

@@ -20,3 +20,10 @@ draw sample "$folder/wells.csv"
 
 build/stratareeb build examples/sighthill/wide_noheader.csv --quiet -o "$folder/glasgow" >/dev/null
 build/stratareeb reeb "$folder/glasgow/layers/02_2.ply" --simplify 0.02 -o docs/images/reeb.png --overwrite >/dev/null
+
+for graph in examples/graphs/*.json; do
+    build/stratareeb reconstruct "$graph" -o "$folder/surface.ply" --overwrite \
+        --picture "docs/images/graph_$(basename "$graph" .json).png" >/dev/null
+done
+build/stratareeb reconstruct examples/st_helens/contours.json -o "$folder/surface.ply" --overwrite \
+    --picture docs/images/st_helens.png >/dev/null
