@@ -137,7 +137,7 @@ class Columns {
         for (std::uint32_t node = minimum; !at_.up[node].empty();) {
             const std::uint32_t way = at_.up[node].front();
             node = graph_.arcs[way].upper;
-            const auto group = passing_below(node, minimum);
+            auto group = passing_below(node, minimum);
             if (!group.empty()) return group;
         }
         return {};
@@ -186,9 +186,9 @@ class Columns {
         for (const std::uint32_t e : sorted_)
             for (const std::uint32_t b : passing_.right_of[e])
                 from_left[b] = std::max(from_left[b], from_left[e] + 1);
-        for (auto e = sorted_.rbegin(); e != sorted_.rend(); ++e)
-            for (const std::uint32_t b : passing_.right_of[*e])
-                from_right[*e] = std::max(from_right[*e], from_right[b] + 1);
+        for (const std::uint32_t e : std::views::reverse(sorted_))
+            for (const std::uint32_t b : passing_.right_of[e])
+                from_right[e] = std::max(from_right[e], from_right[b] + 1);
         width_ = from_left.empty() ? 0 : *std::ranges::max_element(from_left);
         x_.resize(left_of_.size());
         for (std::size_t e = 0; e < x_.size(); ++e) x_[e] = (from_left[e] + width_ - from_right[e]) / 2;

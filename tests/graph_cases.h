@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numeric>
 #include <random>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -128,9 +129,9 @@ inline GraphCase random_forest(std::mt19937_64& random, std::uint32_t max_nodes 
 inline ReebGraph upside_down(const ReebGraph& graph) {
     ReebGraph result;
     const auto last = static_cast<std::uint32_t>(graph.nodes.size()) - 1;
-    for (auto node = graph.nodes.rbegin(); node != graph.nodes.rend(); ++node) {
-        result.nodes.push_back(*node);
-        result.nodes.back().value = -node->value;
+    for (const ReebNode& node : std::views::reverse(graph.nodes)) {
+        result.nodes.push_back(node);
+        result.nodes.back().value = -node.value;
     }
     for (const ReebArc& arc : graph.arcs) result.arcs.push_back({last - arc.upper, last - arc.lower});
     complete(result);

@@ -105,7 +105,7 @@ std::optional<SlidingHomotopy> surface_of(const EnhancedReebGraph& graph, const 
     }
     if (contours.size() < 2) return std::nullopt;
     return SlidingHomotopy(
-        ContourHomotopy(corresponding_contours(std::move(contours)), std::move(heights), edge.homotopy),
+        ContourHomotopy(corresponding_contours(std::move(contours)), heights, edge.homotopy),
         MonotoneEdge(curve_of(graph, edge)));
 }
 

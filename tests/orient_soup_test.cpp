@@ -102,9 +102,9 @@ TEST(OrientSoup, turned_triangles_follow_the_majority) {
     TriangleSoup soup = shapes::joined(shapes::torus(3, 1, 12, 8), shapes::moved(shapes::cube(), 9, 0, 0));
     std::mt19937 random(5);
     std::size_t turned = 0;
-    for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+    for (auto& triangle : soup.triangles)
         if (random() % 3 == 0) {
-            std::swap(soup.triangles[t][0], soup.triangles[t][1]);
+            std::swap(triangle[0], triangle[1]);
             ++turned;
         }
     const OrientedSoup repaired = orient_soup(soup);

@@ -89,7 +89,7 @@ double farthest_from_its_arc(const ReebGraph& graph, const ScalarField& field) {
 
 //! What holds for every graph.
 SimplifiedGraph checked(const GraphCase& given, double share) {
-    const SimplifiedGraph result = simplify(given.graph, given.field, share);
+    SimplifiedGraph result = simplify(given.graph, given.field, share);
     expect_valid(result.graph, given.field);
     EXPECT_EQ(result.threshold, share * range_of(given.graph));
     EXPECT_EQ(result.graph.components, given.graph.components);

@@ -42,8 +42,8 @@ void expect_room_for_cheap_paths(const SpanContours& c, double share) {
 
 TEST(SpanCorridor, keeps_every_path_that_is_as_cheap_as_the_known_one) {
     std::mt19937 random(1);
-    for (int run = 0; run < 60; ++run) {
-        const auto m = static_cast<std::size_t>(5 + run), n = static_cast<std::size_t>(10 + 3 * (run % 20));
+    for (std::size_t run = 0; run < 60; ++run) {
+        const std::size_t m = 5 + run, n = 10 + 3 * (run % 20);
         const Points upper = wobbly_circle(m, 1, 0.3, 0.1, 0.02, random),
                      lower = wobbly_circle(n, 1, 0, 0.1, 0.02, random);
         const Points some = grid_points(m, 4, random), others = grid_points(n, 4, random);
