@@ -339,8 +339,9 @@ ConstructedSurface construct_surface(const EnhancedReebGraph& graph, const Surfa
         if (straight.size() > before) continue;
         if (!std::exchange(faired, true)) continue;
         for (const auto& [a, b] : pairs)
-            surface.crossings.push_back(construction.text_of_place(a) + " and " +
-                                        construction.text_of_place(b));
+            surface.crossings.push_back(a == b ? construction.text_of_place(a) + ", with itself"
+                                               : construction.text_of_place(a) + ", and " +
+                                                     construction.text_of_place(b));
         return surface;
     }
 }
