@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Lints of the source tree, each a ctest test: `lint.py includes|text|format|tidy [--build DIR]`.
+"""Lints of the source tree, each a ctest test: `lint.py includes|text|format|tidy [--build DIR] [--tests]`.
 
 includes  rooms include only along the arrows that docs/architecture.md draws; headers keep heavy libraries out
 text      a licence line first, headers guarded, no link of a page broken, nothing left to do
 format    clang-format 14 would change nothing
-tidy      clang-tidy 14 has nothing to say; files that passed are remembered in DIR/tidy by content
+tidy      clang-tidy 14 has nothing to say; files that passed are remembered in DIR/tidy by content. --tests: of tests too
 """
 import argparse
 import concurrent.futures
@@ -166,13 +166,14 @@ def tidy_one(path, build):
     return [l for l in said if "[clang-diagnostic-error]" not in l]
 
 
-def lint_tidy(build):
+def lint_tidy(args):
+    build, rooms = args.build, [room for room in ROOMS if room != "tests" or args.tests]
     remembered = build / "tidy"
     remembered.mkdir(exist_ok=True)
     work = []
     for entry in json.loads((build / "compile_commands.json").read_text()):
         path = pathlib.Path(os.path.relpath(entry["file"], ROOT))
-        if path.parts[0] in ROOMS:
+        if path.parts[0] in rooms:
             stamp = remembered / content_key(path, entry["command"])
             if not stamp.exists():
                 work.append((path, stamp))
@@ -190,8 +191,10 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("lint", choices=lints)
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build")
+    parser.add_argument("--tests", action="store_true", help="tidy: look at tests too, which takes as long again")
     args = parser.parse_args()
-    problems = lints[args.lint](args.build.resolve())
+    args.build = args.build.resolve()
+    problems = lints[args.lint](args)
     for problem in problems:
         print(problem)
     sys.exit(1 if problems else 0)
