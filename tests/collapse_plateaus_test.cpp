@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <numeric>
 #include <random>
 #include <set>
 #include <tuple>
 
+#include "io/read_mesh.h"
 #include "tests/shapes.h"
 
 namespace stratareeb {
@@ -198,6 +200,22 @@ TEST(CollapsePlateaus, does_not_depend_on_the_numbering_of_vertices) {
             EXPECT_EQ(renumbered_graph.loops(), graph.loops()) << shape.name;
             EXPECT_EQ(shape_of(collapse_plateaus(renumbered_graph)), expected) << shape.name;
         }
+    }
+}
+
+TEST(CollapsePlateaus, of_public_models_does_not_depend_on_the_numbering_of_vertices) {
+    const std::string folder = STRATAREEB_SOURCE_DIR "/../shared/data/models/";
+    if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no " << folder;
+    std::mt19937_64 random(33);
+    for (const char* name : {"3holes_g3", "adis16480_g24", "beetle_11holes", "bunny_5holes", "casting_g9",
+                             "face_1hole", "gears_7comp", "igea", "menger2_g81", "plate3x3_axis_g9",
+                             "rocker-arm_g1", "spot", "terrain129_disk", "torus60x30_flat_g1"}) {
+        const TriangleSoup soup = read_mesh(folder + name + ".ply");
+        const TriMesh mesh = half_edge_mesh(soup), other = half_edge_mesh(renumbered(soup, random));
+        const ReebGraph graph = reeb_graph(mesh, height_field(mesh)),
+                        renumbered_graph = reeb_graph(other, height_field(other));
+        EXPECT_EQ(renumbered_graph.loops(), graph.loops()) << name;
+        EXPECT_EQ(shape_of(collapse_plateaus(renumbered_graph)), shape_of(collapse_plateaus(graph))) << name;
     }
 }
 

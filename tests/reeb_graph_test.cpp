@@ -42,7 +42,12 @@ std::vector<std::pair<std::string, TriMesh>> small_meshes() {
     add("sphere", shapes::uv_sphere(1, 4, 6));
     add("torus", shapes::torus(3, 1, 6, 4));
     add("double torus", shapes::double_torus());
+    const auto row_of_holes = [](std::uint32_t holes) {
+        return shapes::plate(2 * holes + 1, 3, [](auto i, auto j) { return i % 2 == 1 && j == 1; });
+    };
+    add("plate of genus 3", row_of_holes(3));
     add("plate of genus 4", shapes::plate_with_holes(2));
+    add("plate of genus 5", row_of_holes(5));
     add("plate of genus 9", shapes::plate_with_holes(3));
     add("disc", shapes::disc(8, 1));
     add("annulus", shapes::annulus(7, 1, 2));
