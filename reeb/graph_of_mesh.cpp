@@ -259,7 +259,10 @@ class GraphOfMesh {
                           .contours = {},
                           .homotopy = {}};
         edge.homotopy.kind = options_.homotopy;
-        edge.curve.kind = CurveKind::Cardinal;
+        // A spline would swing out beside a saddle, where the last centre is far from the node.
+        const bool between_leaves = graph_.nodes[edge.from].type == CriticalType::Minimum &&
+                                    graph_.nodes[edge.to].type == CriticalType::Maximum;
+        edge.curve.kind = between_leaves ? CurveKind::Cardinal : CurveKind::Polyline;
         for (LevelContour& contour : contours) {
             const bool at_node =
                 contour.z == graph_.nodes[edge.from].value || contour.z == graph_.nodes[edge.to].value;
@@ -272,7 +275,7 @@ class GraphOfMesh {
             result_.contours.back().curve.closed = true;
             result_.contours.back().curve.points = std::move(contour.points);
         }
-        if (!z_monotonicity(ParametricCurve(curve_of(result_, edge))).monotone)
+        if (between_leaves && !z_monotonicity(ParametricCurve(curve_of(result_, edge))).monotone)
             edge.curve.kind = CurveKind::Polyline;
         result_.edges.push_back(std::move(edge));
     }
