@@ -30,6 +30,7 @@ namespace {
 
 using Kind = StrandEnd::Kind;
 
+constexpr std::size_t kRounds = 5;  // of joining straight what crosses, before and after relaxing
 constexpr std::size_t kFairingRounds = 4;
 constexpr std::size_t kCrossingsLookedAt =
     1000;  // pairs of triangles; where there are more, they come up again
@@ -325,24 +326,25 @@ class Construction {
 ConstructedSurface construct_surface(const EnhancedReebGraph& graph, const SurfaceOptions& options) {
     check_graph(graph);
     std::set<Construction::Place> straight;
+    std::optional<ConstructedSurface> best;  // with the fewest crossings so far
     bool faired = false;
-    while (true) {
+    for (std::size_t round = 1;; ++round) {
         Construction construction(graph, options, straight);
         ConstructedSurface surface = construction.run(faired ? kFairingRounds : 0);
         surface.straightened = straight.size();
         if (!options.avoid_crossings) return surface;
         const auto pairs = construction.crossing_places(surface.soup);
-        if (pairs.empty()) return surface;
-        // Straight where contours between cross something; then relaxed; then both.
-        const std::size_t before = straight.size();
-        for (const auto& [a, b] : pairs) straight.insert({a, b});
-        if (straight.size() > before) continue;
-        if (!std::exchange(faired, true)) continue;
         for (const auto& [a, b] : pairs)
             surface.crossings.push_back(a == b ? construction.text_of_place(a) + ", with itself"
                                                : construction.text_of_place(a) + ", and " +
                                                      construction.text_of_place(b));
-        return surface;
+        if (!best || pairs.size() < best->crossings.size()) best = std::move(surface);
+        if (pairs.empty()) return std::move(*best);
+        // Straight where contours between cross something; then relaxed; then both.
+        const std::size_t before = straight.size();
+        for (const auto& [a, b] : pairs) straight.insert({a, b});
+        if (straight.size() > before && round % kRounds != 0) continue;
+        if (std::exchange(faired, true)) return std::move(*best);
     }
 }
 
