@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reeb/collapse_plateaus.h"
 
-#include <numeric>
 #include <utility>
+
+#include "mesh/soup_topology.h"
 
 namespace stratareeb {
 
@@ -13,15 +14,14 @@ constexpr std::uint32_t kNone = ReebGraph::kNone;
 class Collapse {
  public:
     explicit Collapse(const ReebGraph& graph)
-        : graph_(graph), group_(graph.nodes.size()), arc_(graph.arcs.size(), kNone) {
-        std::iota(group_.begin(), group_.end(), 0u);
+        : graph_(graph), plateaus_(graph.nodes.size()), arc_(graph.arcs.size(), kNone) {
         arcs_down_.resize(graph.nodes.size());
         arcs_up_.resize(graph.nodes.size());
     }
 
     ReebGraph run() {
         for (const ReebArc& arc : graph_.arcs)
-            if (is_level(arc)) unite(arc.lower, arc.upper);
+            if (is_level(arc)) plateaus_.unite(arc.lower, arc.upper);
         for (std::uint32_t a = 0; a < graph_.arcs.size(); ++a) {
             const ReebArc& arc = graph_.arcs[a];
             if (is_level(arc)) continue;
@@ -43,17 +43,8 @@ class Collapse {
         return graph_.nodes[arc.lower].value == graph_.nodes[arc.upper].value;
     }
 
-    std::uint32_t root(std::uint32_t node) {
-        while (group_[node] != node) node = group_[node] = group_[group_[node]];
-        return node;
-    }
-
-    //! The lower node stands for both.
-    void unite(std::uint32_t a, std::uint32_t b) {
-        a = root(a);
-        b = root(b);
-        group_[std::max(a, b)] = std::min(a, b);
-    }
+    //! The lowest node of a plateau stands for it.
+    std::uint32_t root(std::uint32_t node) { return plateaus_.find(node); }
 
     bool is_passed(std::uint32_t node) const {
         return arcs_down_[node].size() == 1 && arcs_up_[node].size() == 1;
@@ -112,7 +103,8 @@ class Collapse {
     }
 
     const ReebGraph& graph_;
-    std::vector<std::uint32_t> group_, new_node_;
+    DisjointSets plateaus_;  // of nodes
+    std::vector<std::uint32_t> new_node_;
     std::vector<std::uint32_t> arc_;  // new arc of each old one that is not level
     std::vector<std::vector<std::uint32_t>> arcs_down_, arcs_up_;
     ReebGraph result_;

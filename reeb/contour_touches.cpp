@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
+#include "mesh/soup_topology.h"
 #include "reeb/guiding_curve.h"
 #include "reeb/point_math.h"
 
@@ -64,17 +64,13 @@ std::vector<ContourTouch> contour_touches(std::span<const SampledContour> contou
     for (std::size_t a = 0; a < contours.size(); ++a)
         for (std::size_t b = a + 1; b < contours.size(); ++b) gaps.push_back(gap_between(contours, a, b));
     std::ranges::stable_sort(gaps, {}, &Gap::width);
-    std::vector<std::size_t> parent(contours.size());
-    std::iota(parent.begin(), parent.end(), std::size_t{0});
-    const auto root = [&](std::size_t i) {
-        while (parent[i] != i) i = parent[i];
-        return i;
-    };
+    DisjointSets joined(contours.size());
     std::vector<ContourTouch> touches;
     for (const Gap& gap : gaps) {
-        const std::size_t a = root(gap.touch.first), b = root(gap.touch.second);
-        if (a == b) continue;
-        parent[a] = b;
+        const auto a = static_cast<std::uint32_t>(gap.touch.first),
+                   b = static_cast<std::uint32_t>(gap.touch.second);
+        if (joined.find(a) == joined.find(b)) continue;
+        joined.unite(a, b);
         touches.push_back(gap.touch);
         touches.back().place.z = height;
     }

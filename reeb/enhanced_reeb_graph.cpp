@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reeb/enhanced_reeb_graph.h"
 
-#include <numeric>
+#include "mesh/soup_topology.h"
 
 namespace stratareeb {
 
@@ -18,17 +18,11 @@ Curve curve_of(const EnhancedReebGraph& graph, const EnhancedEdge& edge) {
 }
 
 std::size_t loops_of(const EnhancedReebGraph& graph) {
-    std::vector<std::uint32_t> parent(graph.nodes.size());
-    std::iota(parent.begin(), parent.end(), 0u);
-    const auto root = [&](std::uint32_t n) {
-        while (parent[n] != n) n = parent[n] = parent[parent[n]];
-        return n;
-    };
+    DisjointSets pieces(graph.nodes.size());
     std::size_t loops = 0;
     for (const EnhancedEdge& edge : graph.edges) {
-        const std::uint32_t a = root(edge.from), b = root(edge.to);
-        loops += a == b;
-        parent[a] = b;
+        loops += pieces.find(edge.from) == pieces.find(edge.to);
+        pieces.unite(edge.from, edge.to);
     }
     return loops;
 }

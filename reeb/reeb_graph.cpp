@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
+#include "mesh/soup_topology.h"
 #include "reeb/strand_walk.h"
 #include "reeb/vertex_descent.h"
 #include "reeb/vertex_link.h"
@@ -162,17 +162,11 @@ class Sweep {
     }
 
     void count_components() {
-        std::vector<std::uint32_t> parent(graph_.nodes.size());
-        std::iota(parent.begin(), parent.end(), 0u);
-        const auto root = [&](std::uint32_t n) {
-            while (parent[n] != n) n = parent[n] = parent[parent[n]];
-            return n;
-        };
+        DisjointSets pieces(graph_.nodes.size());
         graph_.components = graph_.nodes.size();
         for (const ReebArc& arc : graph_.arcs) {
-            const auto a = root(arc.lower), b = root(arc.upper);
-            if (a == b) continue;
-            parent[a] = b;
+            if (pieces.find(arc.lower) == pieces.find(arc.upper)) continue;
+            pieces.unite(arc.lower, arc.upper);
             --graph_.components;
         }
     }

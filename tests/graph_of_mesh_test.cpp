@@ -13,10 +13,13 @@
 #include "reeb/collapse_plateaus.h"
 #include "reeb/graph_conditions.h"
 #include "reeb/surface_construction.h"
+#include "tests/arc_heights.h"
 #include "tests/shapes.h"
 
 namespace stratareeb {
 namespace {
+
+using testing::arcs_of;
 
 //! Turned about x and y, so that no two vertices of a regular shape have one height.
 TriangleSoup tilted(TriangleSoup soup, double about_x = 0.0123, double about_y = 0.0077) {
@@ -27,14 +30,6 @@ TriangleSoup tilted(TriangleSoup soup, double about_x = 0.0123, double about_y =
              z * std::cos(about_y) - p.x * std::sin(about_y)};
     }
     return soup;
-}
-
-std::vector<std::pair<double, double>> arcs_of(const ReebGraph& graph) {
-    std::vector<std::pair<double, double>> arcs;
-    for (const ReebArc& arc : graph.arcs)
-        arcs.emplace_back(graph.nodes[arc.lower].value, graph.nodes[arc.upper].value);
-    std::ranges::sort(arcs);
-    return arcs;
 }
 
 //! There and back: mesh to graph to mesh has the same Reeb graph, and how much its volume is off.

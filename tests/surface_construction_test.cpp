@@ -12,10 +12,13 @@
 #include "mesh/analysis.h"
 #include "reeb/arc_length.h"
 #include "reeb/collapse_plateaus.h"
+#include "tests/arc_heights.h"
 #include "tests/random_graphs.h"
 
 namespace stratareeb {
 namespace {
+
+using testing::arcs_of;
 
 Curve circle(double x, double y, double z, double radius) {
     Curve curve;
@@ -85,23 +88,6 @@ EnhancedReebGraph mirrored(EnhancedReebGraph graph) {
         std::ranges::reverse(edge.contours);
     }
     return graph;
-}
-
-//! Arcs as pairs of heights: nodes of these graphs all have heights of their own.
-std::vector<std::pair<double, double>> arcs_of(const EnhancedReebGraph& graph) {
-    std::vector<std::pair<double, double>> arcs;
-    for (const auto& edge : graph.edges)
-        arcs.emplace_back(graph.nodes[edge.from].position.z, graph.nodes[edge.to].position.z);
-    std::ranges::sort(arcs);
-    return arcs;
-}
-
-std::vector<std::pair<double, double>> arcs_of(const ReebGraph& graph) {
-    std::vector<std::pair<double, double>> arcs;
-    for (const ReebArc& arc : graph.arcs)
-        arcs.emplace_back(graph.nodes[arc.lower].value, graph.nodes[arc.upper].value);
-    std::ranges::sort(arcs);
-    return arcs;
 }
 
 //! Closed, manifold, outward, not crossing itself, and with the graph it was made from.
