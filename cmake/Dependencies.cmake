@@ -6,6 +6,7 @@ find_package(Threads REQUIRED)
 find_package(Eigen3 CONFIG REQUIRED)  # CONFIG: CGAL ships a find module of that name which defines no target
 find_package(CGAL REQUIRED)
 find_package(OpenMesh CONFIG REQUIRED)
+find_package(OpenSubdiv MODULE REQUIRED)  # MODULE: FindOpenSubdiv.cmake says why
 find_package(GDAL REQUIRED)
 find_package(TBB REQUIRED)
 find_package(fmt REQUIRED)

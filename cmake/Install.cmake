@@ -19,5 +19,5 @@ configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/stratareebConfig.cmak
                               NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/stratareebConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/stratareebConfig.cmake" "${PROJECT_BINARY_DIR}/stratareebConfigVersion.cmake"
-              "${PROJECT_SOURCE_DIR}/cmake/Dependencies.cmake"
+              "${PROJECT_SOURCE_DIR}/cmake/Dependencies.cmake" "${PROJECT_SOURCE_DIR}/cmake/FindOpenSubdiv.cmake"
         DESTINATION "${package_dir}")

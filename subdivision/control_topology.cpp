@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "subdivision/control_topology.h"
+
+#include <fmt/format.h>
+#include <opensubdiv/far/error.h>
+#include <opensubdiv/far/primvarRefiner.h>
+#include <opensubdiv/far/topologyDescriptor.h>
+#include <opensubdiv/far/topologyRefiner.h>
+#include <opensubdiv/far/topologyRefinerFactory.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "boreholes/errors.h"
+
+namespace stratareeb {
+namespace {
+
+namespace Far = OpenSubdiv::Far;
+namespace Sdc = OpenSubdiv::Sdc;
+using PrimvarRefiner = Far::PrimvarRefinerReal<double>;
+using Refiner = std::unique_ptr<Far::TopologyRefiner>;
+
+constexpr double kMaxCount = std::numeric_limits<int>::max();  // OpenSubdiv numbers everything with int
+
+// OpenSubdiv builds values by Clear and AddWithWeight on dst[i] from src[i]. These views make plain arrays do.
+struct Numbers {
+    double* data;
+    struct Number {
+        double& value;
+        operator double() const { return value; }
+        void Clear() { value = 0; }
+        void AddWithWeight(double other, double weight) { value += weight * other; }
+    };
+    Number operator[](int i) const { return {data[i]}; }
+};
+
+struct Points {
+    Point3* data;
+    struct Point {
+        Point3& value;
+        operator const Point3&() const { return value; }
+        void Clear() { value = {}; }
+        void AddWithWeight(const Point3& other, double weight) {
+            value.x += weight * other.x;
+            value.y += weight * other.y;
+            value.z += weight * other.z;
+        }
+    };
+    Point operator[](int i) const { return {data[i]}; }
+};
+
+Numbers destination(std::vector<double>& values) {
+    return {values.data()};
+}
+Points destination(std::vector<Point3>& values) {
+    return {values.data()};
+}
+
+// Collects the weights that OpenSubdiv gives to control vertices, instead of adding values up.
+struct VertexNumbers {
+    int operator[](int i) const { return i; }
+};
+struct Rows {
+    using Terms = std::vector<std::pair<std::uint32_t, double>>;
+    std::vector<Terms>* rows;
+    struct Row {
+        Terms& terms;
+        void Clear() { terms.clear(); }
+        void AddWithWeight(int vertex, double weight) {
+            terms.emplace_back(static_cast<std::uint32_t>(vertex), weight);
+        }
+    };
+    Row operator[](int i) const { return {(*rows)[i]}; }
+};
+
+// What OpenSubdiv says when it refuses; on standard error by default.
+thread_local std::string osd_message;
+void keep_message(Far::ErrorType, const char* message) {
+    osd_message = message;
+}
+
+std::string place(const ControlMesh& mesh, std::size_t v) {
+    if (v >= mesh.points.size()) return fmt::format("{}", v);
+    const auto& p = mesh.points[v];
+    return fmt::format("{} at ({}, {}, {})", v, p.x, p.y, p.z);
+}
+
+std::string edge_place(const ControlMesh& mesh, std::size_t a, std::size_t b) {
+    return fmt::format("edge from vertex {} to vertex {}", place(mesh, a), place(mesh, b));
+}
+
+void require_face(const ControlMesh& mesh, std::size_t face, std::span<const std::uint32_t> corners) {
+    if (corners.size() < 3) throw InvalidInput(fmt::format("face {} has {} corners", face, corners.size()));
+    if (mesh.scheme == SubdivisionScheme::Loop && corners.size() != 3)
+        throw InvalidInput(
+            fmt::format("face {} at vertex {} has {} corners; Loop subdivision needs triangles, "
+                        "Catmull-Clark takes any polygons",
+                        face, place(mesh, corners[0]), corners.size()));
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (corners[i] >= mesh.vertices)
+            throw InvalidInput(fmt::format("face {} names vertex {} of {}", face, corners[i], mesh.vertices));
+        for (std::size_t k = 0; k < i; ++k)
+            if (corners[i] == corners[k])
+                throw InvalidInput(
+                    fmt::format("face {} names vertex {} twice", face, place(mesh, corners[i])));
+    }
+}
+
+void require_polygons(const ControlMesh& mesh) {
+    if (mesh.corners.empty()) throw InvalidInput("there are no faces to subdivide");
+    const std::size_t faces = mesh.sizes.empty() ? mesh.corners.size() / 3 : mesh.sizes.size();
+    std::size_t begin = 0;
+    for (std::size_t f = 0; f < faces; ++f) {
+        const std::size_t size = mesh.sizes.empty() ? 3 : mesh.sizes[f];
+        if (begin + size > mesh.corners.size()) break;
+        require_face(mesh, f, mesh.corners.subspan(begin, size));
+        begin += size;
+    }
+    if (begin != mesh.corners.size())
+        throw InvalidInput(
+            fmt::format("the faces' sizes do not add up to their {} corners", mesh.corners.size()));
+}
+
+void require_countable(const ControlMesh& mesh, int levels) {
+    const double corners = static_cast<double>(mesh.corners.size()) * std::pow(4.0, levels);
+    if (levels < 0 || levels > 15) throw InvalidInput(fmt::format("{} levels; give 0 to 15", levels));
+    if (3 * corners >= kMaxCount)
+        throw InvalidInput(
+            fmt::format("{} levels make about {:.3g} faces, more than can be numbered; give fewer levels",
+                        levels, corners / 3));
+}
+
+// OpenSubdiv takes any mesh; ours are 2-manifold, and wound alike.
+void require_manifold(const ControlMesh& mesh, const Far::TopologyLevel& base) {
+    for (int e = 0; e < base.GetNumEdges(); ++e) {
+        const auto ends = base.GetEdgeVertices(e);
+        const auto faces = base.GetEdgeFaces(e);
+        if (faces.size() > 2)
+            throw InvalidInput(fmt::format("{} has {} faces (not a manifold)",
+                                           edge_place(mesh, ends[0], ends[1]), faces.size()));
+        const auto local = base.GetEdgeFaceLocalIndices(e);
+        if (base.IsEdgeNonManifold(e) || (faces.size() == 2 && base.GetFaceVertices(faces[0])[local[0]] ==
+                                                                   base.GetFaceVertices(faces[1])[local[1]]))
+            throw InvalidInput(fmt::format("{} has faces that are wound against each other",
+                                           edge_place(mesh, ends[0], ends[1])));
+    }
+    for (int v = 0; v < base.GetNumVertices(); ++v)
+        if (base.IsVertexNonManifold(v) && base.GetVertexFaces(v).size() > 0)
+            throw InvalidInput(
+                fmt::format("vertex {} has more than one fan of faces (not a manifold)", place(mesh, v)));
+}
+
+void require_creases(const ControlMesh& mesh, const Far::TopologyLevel& base) {
+    for (const auto& crease : mesh.creases)
+        if (base.FindEdge(static_cast<int>(crease.from), static_cast<int>(crease.to)) < 0)
+            throw InvalidInput(fmt::format("the crease from vertex {} to vertex {} is no edge of the mesh",
+                                           place(mesh, crease.from), place(mesh, crease.to)));
+}
+
+// Creases and corners in OpenSubdiv's separate arrays.
+struct Sharpness {
+    std::vector<int> edges, vertices;
+    std::vector<float> edge_weights, vertex_weights;
+};
+
+void require_sharpness(double sharpness) {
+    if (!(sharpness >= 0)) throw InvalidInput(fmt::format("a sharpness of {}; it is 0 or more", sharpness));
+}
+
+Sharpness sharpness(const ControlMesh& mesh) {
+    Sharpness all;
+    for (const auto& crease : mesh.creases) {
+        if (crease.from >= mesh.vertices || crease.to >= mesh.vertices)
+            throw InvalidInput(fmt::format(
+                "the crease from vertex {} to vertex {} names a vertex that is not there; there are {}",
+                crease.from, crease.to, mesh.vertices));
+        require_sharpness(crease.sharpness);
+        all.edges.insert(all.edges.end(), {static_cast<int>(crease.from), static_cast<int>(crease.to)});
+        all.edge_weights.push_back(static_cast<float>(std::min(crease.sharpness, kInfiniteSharpness)));
+    }
+    for (const auto& corner : mesh.sharp_corners) {
+        if (corner.vertex >= mesh.vertices)
+            throw InvalidInput(fmt::format("the corner {} names a vertex that is not there; there are {}",
+                                           corner.vertex, mesh.vertices));
+        require_sharpness(corner.sharpness);
+        all.vertices.push_back(static_cast<int>(corner.vertex));
+        all.vertex_weights.push_back(static_cast<float>(std::min(corner.sharpness, kInfiniteSharpness)));
+    }
+    return all;
+}
+
+Refiner base_topology(const ControlMesh& mesh) {
+    const Sharpness sharp = sharpness(mesh);
+    std::vector<int> triangle_sizes;
+    if (mesh.sizes.empty()) triangle_sizes.assign(mesh.corners.size() / 3, 3);
+    Far::TopologyDescriptor description;
+    description.numVertices = static_cast<int>(mesh.vertices);
+    description.numFaces = static_cast<int>(mesh.sizes.empty() ? triangle_sizes.size() : mesh.sizes.size());
+    // The same bits, signed: the counts have been checked.
+    description.numVertsPerFace =
+        mesh.sizes.empty() ? triangle_sizes.data() : reinterpret_cast<const int*>(mesh.sizes.data());
+    description.vertIndicesPerFace = reinterpret_cast<const int*>(mesh.corners.data());
+    description.numCreases = static_cast<int>(mesh.creases.size());
+    description.creaseVertexIndexPairs = sharp.edges.data();
+    description.creaseWeights = sharp.edge_weights.data();
+    description.numCorners = static_cast<int>(mesh.sharp_corners.size());
+    description.cornerVertexIndices = sharp.vertices.data();
+    description.cornerWeights = sharp.vertex_weights.data();
+
+    Sdc::Options options;
+    options.SetVtxBoundaryInterpolation(Sdc::Options::VTX_BOUNDARY_EDGE_ONLY);
+    const auto scheme = mesh.scheme == SubdivisionScheme::Loop ? OpenSubdiv::Sdc::SCHEME_LOOP
+                                                               : OpenSubdiv::Sdc::SCHEME_CATMARK;
+    using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
+    Far::SetErrorCallback(keep_message);
+    Far::SetWarningCallback([](const char*) {});  // of creases that are no edges; an error of ours
+    Refiner refiner(Factory::Create(description, Factory::Options(scheme, options)));
+    if (!refiner) throw InvalidInput("OpenSubdiv refuses the mesh: " + osd_message);
+    return refiner;
+}
+
+void require_one_each(std::size_t values, const Far::TopologyLevel& level) {
+    if (values != static_cast<std::size_t>(level.GetNumVertices()))
+        throw InvalidInput(fmt::format("{} values for {} vertices", values, level.GetNumVertices()));
+}
+
+// The values of the last level from those of the control mesh, level by level.
+template <class Value>
+std::vector<Value> values_of_last_level(const Far::TopologyRefiner& topology,
+                                        std::span<const Value> control) {
+    require_one_each(control.size(), topology.GetLevel(0));
+    std::vector<Value> values(control.begin(), control.end()), next;
+    const PrimvarRefiner refiner(topology);
+    for (int level = 1; level <= topology.GetMaxLevel(); ++level) {
+        next.resize(topology.GetLevel(level).GetNumVertices());
+        auto to = destination(next);
+        refiner.Interpolate(level, values.data(), to);
+        std::swap(values, next);
+    }
+    return values;
+}
+
+template <class Value>
+std::vector<Value> limits_of_last_level(const Far::TopologyRefiner& topology,
+                                        std::span<const Value> refined) {
+    require_one_each(refined.size(), topology.GetLevel(topology.GetMaxLevel()));
+    std::vector<Value> limits(refined.size());
+    auto to = destination(limits);
+    const auto* from = refined.data();
+    PrimvarRefiner(topology).Limit(from, to);
+    return limits;
+}
+
+Point3 unit_normal(const Point3& u, const Point3& v) {
+    const Point3 n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+    const double length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
+    return length > 0 ? Point3{n.x / length, n.y / length, n.z / length} : Point3{0, 0, 1};
+}
+
+}  // namespace
+
+struct ControlTopology::Osd {
+    Refiner refiner;
+};
+
+ControlTopology::ControlTopology(const ControlMesh& mesh, int levels) {
+    require_countable(mesh, levels);
+    require_polygons(mesh);
+    osd_ = std::make_unique<Osd>(Osd{base_topology(mesh)});
+    require_manifold(mesh, osd_->refiner->GetLevel(0));
+    require_creases(mesh, osd_->refiner->GetLevel(0));
+    if (levels == 0) return;
+    Far::TopologyRefiner::UniformOptions options(levels);
+    options.fullTopologyInLastLevel = true;  // limits need it
+    osd_->refiner->RefineUniform(options);
+}
+
+ControlTopology::~ControlTopology() = default;
+ControlTopology::ControlTopology(ControlTopology&&) noexcept = default;
+ControlTopology& ControlTopology::operator=(ControlTopology&&) noexcept = default;
+
+int ControlTopology::levels() const {
+    return osd_->refiner->GetMaxLevel();
+}
+
+std::size_t ControlTopology::vertex_count(int level) const {
+    return osd_->refiner->GetLevel(level).GetNumVertices();
+}
+
+std::size_t ControlTopology::face_count(int level) const {
+    return osd_->refiner->GetLevel(level).GetNumFaces();
+}
+
+std::vector<std::uint32_t> ControlTopology::corners(int level) const {
+    const auto& faces = osd_->refiner->GetLevel(level);
+    std::vector<std::uint32_t> corners;
+    corners.reserve(faces.GetNumFaceVertices());
+    for (int f = 0; f < faces.GetNumFaces(); ++f)
+        for (const auto v : faces.GetFaceVertices(f)) corners.push_back(static_cast<std::uint32_t>(v));
+    return corners;
+}
+
+std::vector<double> ControlTopology::refined(std::span<const double> control) const {
+    return values_of_last_level(*osd_->refiner, control);
+}
+
+std::vector<Point3> ControlTopology::refined(std::span<const Point3> control) const {
+    return values_of_last_level(*osd_->refiner, control);
+}
+
+std::vector<double> ControlTopology::limit(std::span<const double> refined) const {
+    return limits_of_last_level(*osd_->refiner, refined);
+}
+
+std::vector<Point3> ControlTopology::limit(std::span<const Point3> refined) const {
+    return limits_of_last_level(*osd_->refiner, refined);
+}
+
+LimitSurface ControlTopology::limit_surface(std::span<const Point3> refined) const {
+    require_one_each(refined.size(), osd_->refiner->GetLevel(levels()));
+    LimitSurface surface{std::vector<Point3>(refined.size()), std::vector<Point3>(refined.size())};
+    std::vector<Point3> v_tangents(refined.size());
+    Points points{surface.points.data()}, u{surface.normals.data()}, v{v_tangents.data()};
+    const auto* from = refined.data();
+    PrimvarRefiner(*osd_->refiner).Limit(from, points, u, v);
+    for (std::size_t i = 0; i < refined.size(); ++i)
+        surface.normals[i] = unit_normal(surface.normals[i], v_tangents[i]);
+    return surface;
+}
+
+SparseRows ControlTopology::limit_rows(std::span<const std::uint32_t> control_vertices) const {
+    // The limit masks of the control vertices themselves: those of a copy that is not refined and shares the control mesh.
+    using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
+    const Refiner unrefined(Factory::Create(*osd_->refiner));
+    std::vector<Rows::Terms> terms(vertex_count(0));
+    Rows to{&terms};
+    PrimvarRefiner(*unrefined).Limit(VertexNumbers{}, to);
+    SparseRows rows;
+    for (const auto vertex : control_vertices) {
+        if (vertex >= terms.size()) throw InvalidInput(fmt::format("vertex {} of {}", vertex, terms.size()));
+        auto& row = terms[vertex];
+        std::erase_if(row, [](const auto& term) { return term.second == 0; });
+        std::sort(row.begin(), row.end());
+        for (const auto& [column, weight] : row) {
+            rows.column.push_back(column);
+            rows.weight.push_back(weight);
+        }
+        rows.first.push_back(static_cast<std::uint32_t>(rows.column.size()));
+    }
+    return rows;
+}
+
+}  // namespace stratareeb

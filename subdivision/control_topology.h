@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "boreholes/point.h"
+
+namespace stratareeb {
+
+enum class SubdivisionScheme {
+    Loop,          // triangles (Loop 1987)
+    CatmullClark,  // quads; other polygons become quads at the first level (Catmull and Clark 1978)
+};
+
+//! A crease or corner of this sharpness, or more, stays sharp at every level. Less is semi-sharp: sharp for that many
+//! levels, then smooth (DeRose, Kass, Truong 1998).
+inline constexpr double kInfiniteSharpness = 10;
+
+//! An edge along which the surface may bend.
+struct Crease {
+    std::uint32_t from = 0, to = 0;
+    double sharpness = kInfiniteSharpness;
+};
+
+//! A vertex that stays where it is, in which a crease or an outline may turn.
+struct SharpCorner {
+    std::uint32_t vertex = 0;
+    double sharpness = kInfiniteSharpness;
+};
+
+//! A control mesh as it is given; nothing is copied.
+struct ControlMesh {
+    SubdivisionScheme scheme = SubdivisionScheme::Loop;
+    std::size_t vertices = 0;
+    std::span<const std::uint32_t> corners;  // of face after face
+    std::span<const std::uint32_t> sizes;    // corners of each face; empty = all triangles
+    std::span<const Crease> creases;         // outlines are creases by themselves
+    std::span<const SharpCorner> sharp_corners;
+    std::span<const Point3> points;  // for messages; may be empty
+};
+
+//! Sparse rows: row r has columns column[first[r]] up to column[first[r + 1]], in rising order, and their weights.
+struct SparseRows {
+    std::vector<std::uint32_t> first{0}, column;
+    std::vector<double> weight;
+
+    std::size_t size() const { return first.size() - 1; }
+};
+
+//! Points on the limit surface and its unit normals there, (0, 0, 1) where it has none.
+struct LimitSurface {
+    std::vector<Point3> points, normals;
+};
+
+//! A control mesh and its uniform refinement by OpenSubdiv, held for as many values as one likes. The outline is a smooth curve
+//! that ends at sharp corners. Vertices keep their numbers: those of a level come first in the next. The
+//! limit of a vertex that is still semi-sharp in the last level is the one it has if it stays sharp from there on.
+class ControlTopology {
+ public:
+    //! \throw InvalidInput naming the place: a vertex that is not there; a face that is no polygon, or no triangle where the scheme is
+    //! Loop; an edge of more than two faces or wound the same way by both; a vertex where two fans meet; a crease that is no edge;
+    //! counts beyond 2^31
+    ControlTopology(const ControlMesh& mesh, int levels);
+    ~ControlTopology();
+    ControlTopology(ControlTopology&&) noexcept;
+    ControlTopology& operator=(ControlTopology&&) noexcept;
+
+    int levels() const;
+    //! Of a level, 0 = the control mesh.
+    std::size_t vertex_count(int level) const;
+    std::size_t face_count(int level) const;
+    //! The corners of all faces of a level, face after face: three each (Loop), from level 1 on four each (Catmull-Clark).
+    std::vector<std::uint32_t> corners(int level) const;
+
+    //! Values at the vertices of the last level, from one for each control vertex.
+    std::vector<double> refined(std::span<const double> control) const;
+    std::vector<Point3> refined(std::span<const Point3> control) const;
+
+    //! Limits at the vertices of the last level, from their refined values.
+    std::vector<double> limit(std::span<const double> refined) const;
+    std::vector<Point3> limit(std::span<const Point3> refined) const;
+    LimitSurface limit_surface(std::span<const Point3> refined) const;
+
+    //! The limit of each control vertex as weights of control vertices that add up to one.
+    //! \pre no semi-sharp creases or corners; the scheme's own faces only (Catmull-Clark: quads)
+    SparseRows limit_rows(std::span<const std::uint32_t> control_vertices) const;
+
+ private:
+    struct Osd;
+    std::unique_ptr<Osd> osd_;
+};
+
+}  // namespace stratareeb
