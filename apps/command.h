@@ -12,6 +12,7 @@ void add_check_command(CLI::App& program);
 void add_convert_command(CLI::App& program);
 void add_info_command(CLI::App& program);
 void add_levels_command(CLI::App& program);
+void add_query_command(CLI::App& program);
 void add_reconstruct_command(CLI::App& program);
 void add_reeb_command(CLI::App& program);
 void add_sample_command(CLI::App& program);

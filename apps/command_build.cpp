@@ -11,6 +11,7 @@
 #include "apps/progress.h"
 #include "boreholes/errors.h"
 #include "boreholes/plan_layout.h"
+#include "io/model_holes.h"
 #include "io/read_footprint.h"
 #include "io/read_raster.h"
 #include "io/staged_folder.h"
@@ -46,6 +47,7 @@ class Build {
         write_horizons(folder, model);
         const std::vector<LayerSolid> solids = write_layers(folder, model, table.survey, record);
         write_whole_model(folder, model, solids);
+        write_model_holes(folder.add(kModelHolesFile), table.survey, model.plan.hole_vertex);
         progress_.step("checking", kSolidsEnd);
         record.checks = check_model(model, table.survey, record.units);
         const std::string json = write_record(folder, model, table.survey, record);

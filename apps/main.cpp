@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
     add_convert_command(program);
     add_info_command(program);
     add_levels_command(program);
+    add_query_command(program);
     add_reconstruct_command(program);
     add_reeb_command(program);
     add_sample_command(program);

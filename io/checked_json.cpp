@@ -190,6 +190,14 @@ bool JsonItem::is_whole_number() const {
     return value_->is_number_integer();
 }
 
+bool JsonItem::is_null() const {
+    return value_->is_null();
+}
+
+bool JsonItem::is_object() const {
+    return value_->is_object();
+}
+
 bool JsonItem::need_object(std::string_view what) const {
     if (!value_->is_object()) expected(what);
     return value_->is_object();
@@ -240,6 +248,12 @@ std::optional<std::int64_t> JsonItem::whole_number() const {
                            static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()));
     if (fits) return value_->get<std::int64_t>();
     expected("a whole number");
+    return std::nullopt;
+}
+
+std::optional<bool> JsonItem::flag() const {
+    if (value_->is_boolean()) return value_->get<bool>();
+    expected("true or false");
     return std::nullopt;
 }
 

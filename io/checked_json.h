@@ -49,6 +49,8 @@ class JsonItem {
 
     bool is_text() const;
     bool is_whole_number() const;
+    bool is_null() const;
+    bool is_object() const;
 
     //! Whether it is an object: `{what}` says in the fault which.
     bool need_object(std::string_view what) const;
@@ -63,6 +65,7 @@ class JsonItem {
     std::vector<JsonItem> list(std::string_view what) const;
     std::optional<double> number() const;
     std::optional<std::int64_t> whole_number() const;
+    std::optional<bool> flag() const;  // true or false
     std::optional<std::string> text() const;
     std::optional<std::vector<double>> numbers() const;
 
