@@ -10,10 +10,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "boreholes/errors.h"
+#include "subdivision/dart_limit.h"
 
 namespace stratareeb {
 namespace {
@@ -22,8 +22,6 @@ namespace Far = OpenSubdiv::Far;
 namespace Sdc = OpenSubdiv::Sdc;
 using PrimvarRefiner = Far::PrimvarRefinerReal<double>;
 using Refiner = std::unique_ptr<Far::TopologyRefiner>;
-
-constexpr double kMaxCount = std::numeric_limits<int>::max();  // OpenSubdiv numbers everything with int
 
 // OpenSubdiv builds values by Clear and AddWithWeight on dst[i] from src[i]. These views make plain arrays do.
 struct Numbers {
@@ -59,12 +57,13 @@ Points destination(std::vector<Point3>& values) {
     return {values.data()};
 }
 
+using Terms = std::vector<std::pair<std::uint32_t, double>>;  // vertices and their weights
+
 // Collects the weights that OpenSubdiv gives to control vertices, instead of adding values up.
 struct VertexNumbers {
     int operator[](int i) const { return i; }
 };
 struct Rows {
-    using Terms = std::vector<std::pair<std::uint32_t, double>>;
     std::vector<Terms>* rows;
     struct Row {
         Terms& terms;
@@ -82,55 +81,8 @@ void keep_message(Far::ErrorType, const char* message) {
     osd_message = message;
 }
 
-std::string place(const ControlMesh& mesh, std::size_t v) {
-    if (v >= mesh.points.size()) return fmt::format("{}", v);
-    const auto& p = mesh.points[v];
-    return fmt::format("{} at ({}, {}, {})", v, p.x, p.y, p.z);
-}
-
 std::string edge_place(const ControlMesh& mesh, std::size_t a, std::size_t b) {
-    return fmt::format("edge from vertex {} to vertex {}", place(mesh, a), place(mesh, b));
-}
-
-void require_face(const ControlMesh& mesh, std::size_t face, std::span<const std::uint32_t> corners) {
-    if (corners.size() < 3) throw InvalidInput(fmt::format("face {} has {} corners", face, corners.size()));
-    if (mesh.scheme == SubdivisionScheme::Loop && corners.size() != 3)
-        throw InvalidInput(
-            fmt::format("face {} at vertex {} has {} corners; Loop subdivision needs triangles, "
-                        "Catmull-Clark takes any polygons",
-                        face, place(mesh, corners[0]), corners.size()));
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        if (corners[i] >= mesh.vertices)
-            throw InvalidInput(fmt::format("face {} names vertex {} of {}", face, corners[i], mesh.vertices));
-        for (std::size_t k = 0; k < i; ++k)
-            if (corners[i] == corners[k])
-                throw InvalidInput(
-                    fmt::format("face {} names vertex {} twice", face, place(mesh, corners[i])));
-    }
-}
-
-void require_polygons(const ControlMesh& mesh) {
-    if (mesh.corners.empty()) throw InvalidInput("there are no faces to subdivide");
-    const std::size_t faces = mesh.sizes.empty() ? mesh.corners.size() / 3 : mesh.sizes.size();
-    std::size_t begin = 0;
-    for (std::size_t f = 0; f < faces; ++f) {
-        const std::size_t size = mesh.sizes.empty() ? 3 : mesh.sizes[f];
-        if (begin + size > mesh.corners.size()) break;
-        require_face(mesh, f, mesh.corners.subspan(begin, size));
-        begin += size;
-    }
-    if (begin != mesh.corners.size())
-        throw InvalidInput(
-            fmt::format("the faces' sizes do not add up to their {} corners", mesh.corners.size()));
-}
-
-void require_countable(const ControlMesh& mesh, int levels) {
-    const double corners = static_cast<double>(mesh.corners.size()) * std::pow(4.0, levels);
-    if (levels < 0 || levels > 15) throw InvalidInput(fmt::format("{} levels; give 0 to 15", levels));
-    if (3 * corners >= kMaxCount)
-        throw InvalidInput(
-            fmt::format("{} levels make about {:.3g} faces, more than can be numbered; give fewer levels",
-                        levels, corners / 3));
+    return fmt::format("edge from vertex {} to vertex {}", place_of(mesh, a), place_of(mesh, b));
 }
 
 // OpenSubdiv takes any mesh; ours are 2-manifold, and wound alike.
@@ -150,14 +102,14 @@ void require_manifold(const ControlMesh& mesh, const Far::TopologyLevel& base) {
     for (int v = 0; v < base.GetNumVertices(); ++v)
         if (base.IsVertexNonManifold(v) && base.GetVertexFaces(v).size() > 0)
             throw InvalidInput(
-                fmt::format("vertex {} has more than one fan of faces (not a manifold)", place(mesh, v)));
+                fmt::format("vertex {} has more than one fan of faces (not a manifold)", place_of(mesh, v)));
 }
 
 void require_creases(const ControlMesh& mesh, const Far::TopologyLevel& base) {
     for (const auto& crease : mesh.creases)
         if (base.FindEdge(static_cast<int>(crease.from), static_cast<int>(crease.to)) < 0)
             throw InvalidInput(fmt::format("the crease from vertex {} to vertex {} is no edge of the mesh",
-                                           place(mesh, crease.from), place(mesh, crease.to)));
+                                           place_of(mesh, crease.from), place_of(mesh, crease.to)));
 }
 
 // Creases and corners in OpenSubdiv's separate arrays.
@@ -166,26 +118,13 @@ struct Sharpness {
     std::vector<float> edge_weights, vertex_weights;
 };
 
-void require_sharpness(double sharpness) {
-    if (!(sharpness >= 0)) throw InvalidInput(fmt::format("a sharpness of {}; it is 0 or more", sharpness));
-}
-
 Sharpness sharpness(const ControlMesh& mesh) {
     Sharpness all;
     for (const auto& crease : mesh.creases) {
-        if (crease.from >= mesh.vertices || crease.to >= mesh.vertices)
-            throw InvalidInput(fmt::format(
-                "the crease from vertex {} to vertex {} names a vertex that is not there; there are {}",
-                crease.from, crease.to, mesh.vertices));
-        require_sharpness(crease.sharpness);
         all.edges.insert(all.edges.end(), {static_cast<int>(crease.from), static_cast<int>(crease.to)});
         all.edge_weights.push_back(static_cast<float>(std::min(crease.sharpness, kInfiniteSharpness)));
     }
     for (const auto& corner : mesh.sharp_corners) {
-        if (corner.vertex >= mesh.vertices)
-            throw InvalidInput(fmt::format("the corner {} names a vertex that is not there; there are {}",
-                                           corner.vertex, mesh.vertices));
-        require_sharpness(corner.sharpness);
         all.vertices.push_back(static_cast<int>(corner.vertex));
         all.vertex_weights.push_back(static_cast<float>(std::min(corner.sharpness, kInfiniteSharpness)));
     }
@@ -243,6 +182,56 @@ std::vector<Value> values_of_last_level(const Far::TopologyRefiner& topology,
     return values;
 }
 
+// The corners of a face from one vertex on.
+struct FaceAround {
+    int next, opposite, previous;
+};
+
+FaceAround face_around(const Far::TopologyLevel& level, int vertex, int place) {
+    const auto corners = level.GetFaceVertices(level.GetVertexFaces(vertex)[place]);
+    const int n = corners.size(), at = level.GetVertexFaceLocalIndices(vertex)[place];
+    return {corners[(at + 1) % n], corners[(at + 2) % n], corners[(at + n - 1) % n]};
+}
+
+int crease_end(const Far::TopologyLevel& level, int vertex) {
+    for (const int e : level.GetVertexEdges(vertex))
+        if (level.GetEdgeSharpness(e) > 0) {
+            const auto ends = level.GetEdgeVertices(e);
+            return ends[0] == vertex ? ends[1] : ends[0];
+        }
+    return -1;
+}
+
+Terms dart_terms(const Far::TopologyLevel& level, SubdivisionScheme scheme, int vertex) {
+    const int n = level.GetVertexEdges(vertex).size();
+    const DartLimit limit = dart_limit(scheme, n);
+    Terms terms{{vertex, limit.vertex}};
+    int edge = crease_end(level, vertex);
+    for (int i = 0; i < n; ++i) {
+        terms.emplace_back(edge, limit.edges[i]);
+        int place = 0;
+        while (face_around(level, vertex, place).next != edge) ++place;
+        const FaceAround face = face_around(level, vertex, place);
+        if (scheme == SubdivisionScheme::CatmullClark) terms.emplace_back(face.opposite, limit.faces[i]);
+        edge = face.previous;
+    }
+    return terms;
+}
+
+// Put the limits of darts right: OpenSubdiv takes them for smooth.
+template <class From, class To>
+void correct_darts(const Far::TopologyRefiner& topology, const From& from, To& to) {
+    const auto& level = topology.GetLevel(topology.GetMaxLevel());
+    const auto scheme = topology.GetSchemeType() == Sdc::SCHEME_LOOP ? SubdivisionScheme::Loop
+                                                                     : SubdivisionScheme::CatmullClark;
+    for (int v = 0; v < level.GetNumVertices(); ++v) {
+        if (level.GetVertexRule(v) != Sdc::Crease::RULE_DART) continue;
+        to[v].Clear();
+        for (const auto& [vertex, weight] : dart_terms(level, scheme, v))
+            to[v].AddWithWeight(from[vertex], weight);
+    }
+}
+
 template <class Value>
 std::vector<Value> limits_of_last_level(const Far::TopologyRefiner& topology,
                                         std::span<const Value> refined) {
@@ -251,6 +240,7 @@ std::vector<Value> limits_of_last_level(const Far::TopologyRefiner& topology,
     auto to = destination(limits);
     const auto* from = refined.data();
     PrimvarRefiner(topology).Limit(from, to);
+    correct_darts(topology, from, to);
     return limits;
 }
 
@@ -267,8 +257,7 @@ struct ControlTopology::Osd {
 };
 
 ControlTopology::ControlTopology(const ControlMesh& mesh, int levels) {
-    require_countable(mesh, levels);
-    require_polygons(mesh);
+    require_faces(mesh, levels);
     osd_ = std::make_unique<Osd>(Osd{base_topology(mesh)});
     require_manifold(mesh, osd_->refiner->GetLevel(0));
     require_creases(mesh, osd_->refiner->GetLevel(0));
@@ -326,6 +315,7 @@ LimitSurface ControlTopology::limit_surface(std::span<const Point3> refined) con
     Points points{surface.points.data()}, u{surface.normals.data()}, v{v_tangents.data()};
     const auto* from = refined.data();
     PrimvarRefiner(*osd_->refiner).Limit(from, points, u, v);
+    correct_darts(*osd_->refiner, from, points);
     for (std::size_t i = 0; i < refined.size(); ++i)
         surface.normals[i] = unit_normal(surface.normals[i], v_tangents[i]);
     return surface;
@@ -335,9 +325,10 @@ SparseRows ControlTopology::limit_rows(std::span<const std::uint32_t> control_ve
     // The limit masks of the control vertices themselves: those of a copy that is not refined and shares the control mesh.
     using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
     const Refiner unrefined(Factory::Create(*osd_->refiner));
-    std::vector<Rows::Terms> terms(vertex_count(0));
+    std::vector<Terms> terms(vertex_count(0));
     Rows to{&terms};
     PrimvarRefiner(*unrefined).Limit(VertexNumbers{}, to);
+    correct_darts(*unrefined, VertexNumbers{}, to);
     SparseRows rows;
     for (const auto vertex : control_vertices) {
         if (vertex >= terms.size()) throw InvalidInput(fmt::format("vertex {} of {}", vertex, terms.size()));
