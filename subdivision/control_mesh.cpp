@@ -34,14 +34,14 @@ void require_face(const ControlMesh& mesh, std::size_t face, std::span<const std
 void require_polygons(const ControlMesh& mesh) {
     if (mesh.corners.empty()) throw InvalidInput("there are no faces to subdivide");
     const std::size_t faces = mesh.sizes.empty() ? mesh.corners.size() / 3 : mesh.sizes.size();
-    std::size_t begin = 0;
-    for (std::size_t f = 0; f < faces; ++f) {
+    std::size_t begin = 0, f = 0;
+    for (; f < faces; ++f) {
         const std::size_t size = mesh.sizes.empty() ? 3 : mesh.sizes[f];
         if (size > mesh.corners.size() - begin) break;
         require_face(mesh, f, mesh.corners.subspan(begin, size));
         begin += size;
     }
-    if (begin != mesh.corners.size())
+    if (f < faces || begin != mesh.corners.size())
         throw InvalidInput(
             fmt::format("the faces' sizes do not add up to their {} corners", mesh.corners.size()));
 }

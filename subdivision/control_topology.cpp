@@ -14,6 +14,7 @@
 
 #include "boreholes/errors.h"
 #include "subdivision/dart_limit.h"
+#include "subdivision/osd_values.h"
 
 namespace stratareeb {
 namespace {
@@ -22,58 +23,6 @@ namespace Far = OpenSubdiv::Far;
 namespace Sdc = OpenSubdiv::Sdc;
 using PrimvarRefiner = Far::PrimvarRefinerReal<double>;
 using Refiner = std::unique_ptr<Far::TopologyRefiner>;
-
-// OpenSubdiv builds values by Clear and AddWithWeight on dst[i] from src[i]. These views make plain arrays do.
-struct Numbers {
-    double* data;
-    struct Number {
-        double& value;
-        operator double() const { return value; }
-        void Clear() { value = 0; }
-        void AddWithWeight(double other, double weight) { value += weight * other; }
-    };
-    Number operator[](int i) const { return {data[i]}; }
-};
-
-struct Points {
-    Point3* data;
-    struct Point {
-        Point3& value;
-        operator const Point3&() const { return value; }
-        void Clear() { value = {}; }
-        void AddWithWeight(const Point3& other, double weight) {
-            value.x += weight * other.x;
-            value.y += weight * other.y;
-            value.z += weight * other.z;
-        }
-    };
-    Point operator[](int i) const { return {data[i]}; }
-};
-
-Numbers destination(std::vector<double>& values) {
-    return {values.data()};
-}
-Points destination(std::vector<Point3>& values) {
-    return {values.data()};
-}
-
-using Terms = std::vector<std::pair<std::uint32_t, double>>;  // vertices and their weights
-
-// Collects the weights that OpenSubdiv gives to control vertices, instead of adding values up.
-struct VertexNumbers {
-    int operator[](int i) const { return i; }
-};
-struct Rows {
-    std::vector<Terms>* rows;
-    struct Row {
-        Terms& terms;
-        void Clear() { terms.clear(); }
-        void AddWithWeight(int vertex, double weight) {
-            terms.emplace_back(static_cast<std::uint32_t>(vertex), weight);
-        }
-    };
-    Row operator[](int i) const { return {(*rows)[i]}; }
-};
 
 // What OpenSubdiv says when it refuses; on standard error by default.
 thread_local std::string osd_message;
@@ -202,10 +151,10 @@ int crease_end(const Far::TopologyLevel& level, int vertex) {
     return -1;
 }
 
-Terms dart_terms(const Far::TopologyLevel& level, SubdivisionScheme scheme, int vertex) {
+WeightedVertices dart_terms(const Far::TopologyLevel& level, SubdivisionScheme scheme, int vertex) {
     const int n = level.GetVertexEdges(vertex).size();
     const DartLimit limit = dart_limit(scheme, n);
-    Terms terms{{vertex, limit.vertex}};
+    WeightedVertices terms{{vertex, limit.vertex}};
     int edge = crease_end(level, vertex);
     for (int i = 0; i < n; ++i) {
         terms.emplace_back(edge, limit.edges[i]);
@@ -244,6 +193,14 @@ std::vector<Value> limits_of_last_level(const Far::TopologyRefiner& topology,
     return limits;
 }
 
+VertexKind kind_of(const Far::TopologyLevel& level, int vertex) {
+    const auto rule = level.GetVertexRule(vertex);  // the end of a crease is smooth: a dart
+    if (rule == Sdc::Crease::RULE_CORNER) return VertexKind::Corner;
+    if (rule == Sdc::Crease::RULE_CREASE)
+        return level.IsVertexBoundary(vertex) ? VertexKind::Outline : VertexKind::Crease;
+    return VertexKind::Inside;
+}
+
 Point3 unit_normal(const Point3& u, const Point3& v) {
     const Point3 n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
     const double length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
@@ -256,14 +213,14 @@ struct ControlTopology::Osd {
     Refiner refiner;
 };
 
-ControlTopology::ControlTopology(const ControlMesh& mesh, int levels) {
+ControlTopology::ControlTopology(const ControlMesh& mesh, int levels, LimitsWanted limits) {
     require_faces(mesh, levels);
     osd_ = std::make_unique<Osd>(Osd{base_topology(mesh)});
     require_manifold(mesh, osd_->refiner->GetLevel(0));
     require_creases(mesh, osd_->refiner->GetLevel(0));
     if (levels == 0) return;
     Far::TopologyRefiner::UniformOptions options(levels);
-    options.fullTopologyInLastLevel = true;  // limits need it
+    options.fullTopologyInLastLevel = limits == LimitsWanted::Yes;
     osd_->refiner->RefineUniform(options);
 }
 
@@ -321,12 +278,19 @@ LimitSurface ControlTopology::limit_surface(std::span<const Point3> refined) con
     return surface;
 }
 
+std::vector<VertexKind> ControlTopology::kinds() const {
+    const auto& level = osd_->refiner->GetLevel(levels());
+    std::vector<VertexKind> kinds(level.GetNumVertices());
+    for (int v = 0; v < level.GetNumVertices(); ++v) kinds[v] = kind_of(level, v);
+    return kinds;
+}
+
 SparseRows ControlTopology::limit_rows(std::span<const std::uint32_t> control_vertices) const {
     // The limit masks of the control vertices themselves: those of a copy that is not refined and shares the control mesh.
     using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
     const Refiner unrefined(Factory::Create(*osd_->refiner));
-    std::vector<Terms> terms(vertex_count(0));
-    Rows to{&terms};
+    std::vector<WeightedVertices> terms(vertex_count(0));
+    WeightRows to{&terms};
     PrimvarRefiner(*unrefined).Limit(VertexNumbers{}, to);
     correct_darts(*unrefined, VertexNumbers{}, to);
     SparseRows rows;
