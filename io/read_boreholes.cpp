@@ -11,7 +11,9 @@
 #include "boreholes/listed_layers.h"
 #include "boreholes/plan_layout.h"
 #include "boreholes/unit_colors.h"
+#include "io/ags_file.h"
 #include "io/collars.h"
+#include "io/read_ags.h"
 #include "io/read_intervals.h"
 #include "io/read_points.h"
 #include "io/read_table.h"
@@ -222,6 +224,15 @@ Survey wide_survey(const Library& library, const CollarTable* collars, TableCont
     return build_survey(std::move(listed), {context.options.order, context.options.repeats}, context.audit);
 }
 
+void warn_of_empty_holes(const LogSet& logs, Audit& audit) {
+    for (const HoleLog& hole : logs.holes)
+        if (hole.intervals.empty())
+            audit.add_warning(
+                logs.files[hole.file], hole.row, "",
+                fmt::format("hole {} has no intervals; {}", hole.id,
+                            hole.ground ? "only its ground is used" : "nothing is known of it"));
+}
+
 Survey interval_survey(const Library& library, const CollarTable* collars, TableContext& context,
                        TableValues& values) {
     LogSet logs;
@@ -229,12 +240,7 @@ Survey interval_survey(const Library& library, const CollarTable* collars, Table
     for (const ReadableTable& table : library.chosen())
         read_intervals(table.shape, *table.intervals, collars, logs, context);
     context.audit.throw_if_errors();
-    for (const HoleLog& hole : logs.holes)
-        if (hole.intervals.empty())
-            context.audit.add_warning(
-                logs.files[hole.file], hole.row, "",
-                fmt::format("hole {} has no intervals; {}", hole.id,
-                            hole.ground ? "only its ground is used" : "nothing is known of it"));
+    warn_of_empty_holes(logs, context.audit);
     return build_survey(std::move(logs), {context.options.order, context.options.repeats}, context.audit);
 }
 
@@ -257,6 +263,42 @@ Survey point_survey(const Library& library, const CollarTable* collars, TableCon
     const ReadBoreholesOptions& options = context.options;
     return build_contact_survey(
         std::move(contacts), {options.order, options.points_mark, options.has_ground_raster}, context.audit);
+}
+
+bool all_are_ags(const std::vector<std::string>& sources) {
+    const auto count = std::ranges::count_if(sources, is_ags_file);
+    if (count > 0 && static_cast<std::size_t>(count) < sources.size())
+        throw InvalidInput(
+            fmt::format("{}: AGS files and other tables can't be read together; build from one kind",
+                        fmt::join(sources, ", ")));
+    return count > 0;
+}
+
+//! What files say of a unit, behind its code where two units would bear one name.
+void name_units(std::vector<Unit>& units, const std::map<std::string, std::string>& names) {
+    std::map<std::string, std::size_t> times;
+    for (const Unit& unit : units)
+        if (const auto name = names.find(unit.code); name != names.end()) ++times[name->second];
+    for (Unit& unit : units)
+        if (const auto name = names.find(unit.code); name != names.end())
+            unit.name = times[name->second] == 1 ? name->second : unit.code + " " + name->second;
+}
+
+Survey ags_survey(const std::vector<std::string>& sources, const CollarTable* collars,
+                  TableContext& context) {
+    const ReadBoreholesOptions& options = context.options;
+    if (options.layout != TableLayout::Auto && options.layout != TableLayout::Intervals)
+        throw InvalidInput(sources.front() + ": an AGS file holds intervals; leave --layout out");
+    if (options.length_unit != "m" || !(options.vertical_unit.empty() || options.vertical_unit == "m"))
+        throw InvalidInput(sources.front() +
+                           ": AGS files state their own units, and are read in metres; leave --unit "
+                           "and --vertical-unit out");
+    AgsLogs ags = read_ags(sources, collars, context);
+    context.audit.throw_if_errors();
+    warn_of_empty_holes(ags.logs, context.audit);
+    Survey survey = build_survey(std::move(ags.logs), {options.order, options.repeats}, context.audit);
+    name_units(survey.units, ags.unit_names);
+    return survey;
 }
 
 //! Holes whose ground is not known get it from others or a raster; if no hole knows it, it is 0 everywhere.
@@ -289,6 +331,20 @@ void settle_ground(Survey& survey, const std::string& file, const ReadBoreholesO
                 fmt::format("hole {} has no ground elevation; it is predicted from the others", hole.id));
 }
 
+//! What is the same for every layout, once the survey is read from `sources`; `file` is for messages.
+void finish(BoreholeTable& result, const std::vector<std::string>& sources, const std::string& file,
+            const ReadBoreholesOptions& options) {
+    result.audit.throw_if_errors();
+    result.survey.length_unit = options.length_unit;
+    if (!options.keep_far_holes) drop_far_holes(result.survey, file, result.audit);
+    merge_same_place(result.survey, file, result.audit);
+    settle_ground(result.survey, file, options, result.audit);
+    color_units(result.survey.units);
+    if (result.survey.holes.empty())
+        throw InvalidInput(
+            fmt::format("{}: no usable hole\n{}", fmt::join(sources, ", "), result.audit.text()));
+}
+
 }  // namespace
 
 BoreholeTable read_boreholes(const std::vector<std::string>& sources, const ReadBoreholesOptions& options) {
@@ -303,9 +359,17 @@ BoreholeTable read_boreholes(const std::vector<std::string>& sources, const Read
 
     Library library(options, result.audit);
     library.open_collars();
+    std::optional<CollarTable> collars;
+    if (all_are_ags(sources)) {
+        if (library.collars()) collars = read_collars(library.collars()->shape, context);
+        result.layout = TableLayout::Intervals;
+        result.values = TableValues::Depth;
+        result.survey = ags_survey(sources, collars ? &*collars : nullptr, context);
+        finish(result, sources, sources.size() == 1 ? sources[0] : "", options);
+        return result;
+    }
     library.open_sources(sources);
     library.check_stated_columns();
-    std::optional<CollarTable> collars;
     if (library.collars()) collars = read_collars(library.collars()->shape, context);
     const CollarTable* at = collars ? &*collars : nullptr;
 
@@ -324,19 +388,10 @@ BoreholeTable read_boreholes(const std::vector<std::string>& sources, const Read
         default:
             result.survey = point_survey(library, at, context);
     }
-    result.audit.throw_if_errors();
-
     const std::string file = at && result.layout == TableLayout::Intervals ? at->file
                              : sources.size() == 1                         ? sources[0]
                                                                            : "";
-    result.survey.length_unit = options.length_unit;
-    if (!options.keep_far_holes) drop_far_holes(result.survey, file, result.audit);
-    merge_same_place(result.survey, file, result.audit);
-    settle_ground(result.survey, file, options, result.audit);
-    color_units(result.survey.units);
-    if (result.survey.holes.empty())
-        throw InvalidInput(
-            fmt::format("{}: no usable hole\n{}", fmt::join(sources, ", "), result.audit.text()));
+    finish(result, sources, file, options);
     return result;
 }
 
