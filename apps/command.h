@@ -16,6 +16,7 @@ void add_query_command(CLI::App& program);
 void add_reconstruct_command(CLI::App& program);
 void add_reeb_command(CLI::App& program);
 void add_sample_command(CLI::App& program);
+void add_section_command(CLI::App& program);
 
 //! Thrown by a command that did its work and found a failure to report by exit code 1, its text already printed.
 struct CommandFailed {};

@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
     add_reconstruct_command(program);
     add_reeb_command(program);
     add_sample_command(program);
+    add_section_command(program);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -9,6 +9,7 @@
 
 #include "boreholes/errors.h"
 #include "io/arc_colors.h"
+#include "io/axis_ticks.h"
 #include "io/drawing_page.h"
 #include "io/graph_columns.h"
 #include "io/side_view.h"
@@ -29,39 +30,6 @@ constexpr double kTilt = 0.3;        // sine of the angle from which the eye loo
 constexpr double kMostDepth = 0.22;  // of the plot's height that the tilt may take
 constexpr double kLeastStep = 0.25;  // of a line, in points: shorter ones can't be seen
 constexpr Rgb kInk{40, 40, 44}, kGrid{222, 222, 226}, kFrame{150, 150, 156}, kNoArc{150, 150, 150};
-
-//! 1, 2 or 5 times a power of ten, not below a number.
-double round_step(double least) {
-    const double power = std::pow(10.0, std::floor(std::log10(least)));
-    for (const double factor : {1.0, 2.0, 5.0})
-        if (factor * power >= least * (1 - 1e-9)) return factor * power;
-    return 10 * power;
-}
-
-//! Not above a number: how much taller than true heights may be drawn.
-double round_exaggeration(double most) {
-    const double power = std::pow(10.0, std::floor(std::log10(most)));
-    for (const double factor : {8.0, 6.0, 5.0, 4.0, 3.0, 2.5, 2.0, 1.5})
-        if (factor * power <= most) return factor * power;
-    return power;
-}
-
-std::vector<double> ticks(double low, double high) {
-    if (!(high > low)) return {low};
-    const double step = round_step((high - low) / 9);
-    std::vector<double> result;
-    for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k)
-        result.push_back(k * step + 0.0);  // no -0
-    return result;
-}
-
-//! As many decimals as the step between ticks needs.
-std::string tick_text(double value, double step) {
-    const double largest = std::max(std::abs(value), step);
-    if (largest >= 1e7 || step < 1e-6) return fmt::format("{:g}", value);
-    const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
-    return fmt::format("{:.{}f}", value, decimals);
-}
 
 const char* many(CriticalType type) {
     return type == CriticalType::Minimum ? "minima" : type == CriticalType::Saddle ? "saddles" : "maxima";

@@ -29,6 +29,12 @@ double distance_right(const Point2& a, const Point2& b, const Point2& p) {
     return -doubled_area(a, b, p) / std::hypot(b.x - a.x, b.y - a.y);
 }
 
+void sort_once(std::vector<std::uint32_t>& numbers) {
+    std::ranges::sort(numbers);
+    const auto repeated = std::ranges::unique(numbers);
+    numbers.erase(repeated.begin(), repeated.end());
+}
+
 }  // namespace
 
 PlanLocator::PlanLocator(const TriMesh& plan) {
@@ -130,9 +136,7 @@ std::optional<PlanPlace> PlanLocator::locate(const Point2& p) const {
     return search(p, tolerance_);
 }
 
-std::vector<std::uint32_t> PlanLocator::near(const Point2& low, const Point2& high) const {
-    std::vector<std::uint32_t> faces;
-    if (triangles_.empty()) return faces;
+void PlanLocator::add_near(const Point2& low, const Point2& high, std::vector<std::uint32_t>& faces) const {
     const auto from = bucket_of(low), to = bucket_of(high);
     for (std::size_t j = from[1]; j <= to[1]; ++j)
         for (std::size_t i = from[0]; i <= to[0]; ++i)
@@ -145,9 +149,47 @@ std::vector<std::uint32_t> PlanLocator::near(const Point2& low, const Point2& hi
                 if (x0 <= high.x && x1 >= low.x && y0 <= high.y && y1 >= low.y)
                     faces.push_back(in_bucket_[t]);
             }
-    std::ranges::sort(faces);
-    const auto repeated = std::ranges::unique(faces);
-    faces.erase(repeated.begin(), repeated.end());
+}
+
+std::vector<std::uint32_t> PlanLocator::near(const Point2& low, const Point2& high) const {
+    std::vector<std::uint32_t> faces;
+    if (triangles_.empty()) return faces;
+    add_near(low, high, faces);
+    sort_once(faces);
+    return faces;
+}
+
+std::vector<std::uint32_t> PlanLocator::along(const Point2& from, const Point2& to) const {
+    std::vector<std::uint32_t> faces;
+    if (triangles_.empty()) return faces;
+    // The part over the plan's box alone, in pieces about as long as a bucket.
+    double start = 0, end = 1;
+    const auto clip = [&](double p, double step, double low, double high) {
+        if (step == 0) {
+            if (p < low - tolerance_ || p > high + tolerance_) end = -1;
+            return;
+        }
+        const auto [enter, leave] =
+            std::minmax({(low - tolerance_ - p) / step, (high + tolerance_ - p) / step});
+        start = std::max(start, enter);
+        end = std::min(end, leave);
+    };
+    const double dx = to.x - from.x, dy = to.y - from.y;
+    clip(from.x, dx, low_.x, high_.x);
+    clip(from.y, dy, low_.y, high_.y);
+    if (!(start <= end)) return faces;
+    const double buckets = std::max(std::abs(dx) / step_[0], std::abs(dy) / step_[1]) * (end - start);
+    const auto pieces = static_cast<std::size_t>(std::ceil(buckets)) + 1;
+    for (std::size_t k = 0; k < pieces; ++k) {
+        const auto at = [&](std::size_t i) {
+            const double share = start + (end - start) * static_cast<double>(i) / static_cast<double>(pieces);
+            return Point2{from.x + share * dx, from.y + share * dy};
+        };
+        const Point2 a = at(k), b = at(k + 1);
+        add_near({std::min(a.x, b.x) - tolerance_, std::min(a.y, b.y) - tolerance_},
+                 {std::max(a.x, b.x) + tolerance_, std::max(a.y, b.y) + tolerance_}, faces);
+    }
+    sort_once(faces);
     return faces;
 }
 

@@ -41,8 +41,11 @@ class PlanLocator {
 
     //! Triangles whose bounding boxes meet a box, ascending.
     std::vector<std::uint32_t> near(const Point2& low, const Point2& high) const;
+    //! Triangles near a segment, ascending: all that it meets, and a few beside. Time grows with the buckets on its way.
+    std::vector<std::uint32_t> along(const Point2& from, const Point2& to) const;
 
  private:
+    void add_near(const Point2& low, const Point2& high, std::vector<std::uint32_t>& faces) const;
     std::array<std::size_t, 2> bucket_of(const Point2& p) const;
     std::optional<PlanPlace> place_in(std::uint32_t face, const Point2& p, double outside) const;
     std::optional<PlanPlace> search(const Point2& p, double outside) const;

@@ -27,3 +27,7 @@ for graph in examples/graphs/*.json; do
 done
 build/stratareeb reconstruct examples/st_helens/contours.json -o "$folder/surface.ply" --overwrite \
     --picture docs/images/st_helens.png >/dev/null
+build/stratareeb build examples/sighthill/intervals.csv --collars examples/sighthill/collars.csv --quiet \
+    -o "$folder/fence" >/dev/null
+build/stratareeb section "$folder/fence" --through GBH06,GBH02,GBH01,GBH03 -o docs/images/section.png --overwrite \
+    --title "Sighthill, a fence through four boreholes" >/dev/null

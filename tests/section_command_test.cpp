@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command section, its drawings (io/write_section) and files for CAD and GIS (io/write_features).
+#include <gdal.h>
+#include <gtest/gtest.h>
+#include <ogrsf_frmts.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "boreholes/errors.h"
+#include "io/write_features.h"
+#include "tests/run_program.h"
+
+namespace stratareeb {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char* kHoles =
+    "hole,x,y,ground,Sand,Clay\n"
+    "A,0,0,10,2,3\nB,100,0,10,2,3\nC,100,100,10,2,3\nD,0,100,10,2,3\nE,50,50,10,2,0\n";
+
+class SectionCommand : public testing::Test {
+ protected:
+    SectionCommand() {
+        folder_.file("holes.csv", kHoles);
+        const auto result = run("build holes.csv -o model --quiet");
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+    }
+    ProgramResult run(const std::string& arguments) const { return run_program(folder_, arguments); }
+    void expect_failure(const std::string& arguments, int exit_code, const std::string& words) const {
+        const auto result = run("section model " + arguments);
+        EXPECT_EQ(result.exit_code, exit_code) << arguments;
+        EXPECT_EQ(result.out, "") << arguments;
+        EXPECT_NE(result.err.find(words), std::string::npos) << arguments << ": " << result.err;
+    }
+    TemporaryFolder folder_;
+};
+
+TEST_F(SectionCommand, gives_areas_and_polygons) {
+    const auto result = run("section model --along 0,0,100,0 --json");
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const json section = json::parse(result.out);
+    EXPECT_EQ(section["length"], 100.0);
+    EXPECT_NEAR(section["envelope_area"].get<double>(), 500, 1e-9);
+    EXPECT_NEAR(section["units"][0]["area"].get<double>(), 200, 1e-9);
+    EXPECT_NEAR(section["units"][1]["area"].get<double>(), 300, 1e-9);
+    EXPECT_EQ(section["units"][0]["polygons"].size(), 1u);
+    ASSERT_EQ(section["holes"].size(), 2u);
+    EXPECT_EQ(section["holes"][1]["id"], "B");
+    EXPECT_EQ(section["holes"][1]["along"], 100.0);
+    // Clay is absent at E: two bodies on the diagonal.
+    const json diagonal = json::parse(run("section model --through A,E,C --json").out);
+    EXPECT_EQ(diagonal["units"][1]["polygons"].size(), 2u);
+}
+
+TEST_F(SectionCommand, draws_and_writes_for_cad_and_gis) {
+    const std::string outputs = " -o s.svg -o s.pdf -o s.png -o s.dxf -o s.gpkg -o s.geojson";
+    const auto result = run("section model --through A,E,C --title Fence" + outputs);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(content_of(folder_ / "s.pdf").substr(0, 5), "%PDF-");
+    EXPECT_EQ(content_of(folder_ / "s.png").substr(1, 3), "PNG");
+    EXPECT_NE(content_of(folder_ / "s.svg").find("<svg"), std::string::npos);
+    for (const char* name : {"s.dxf", "s.gpkg", "s.geojson"}) {
+        GDALAllRegister();
+        const std::unique_ptr<GDALDataset, decltype(&GDALClose)> file(
+            GDALDataset::Open((folder_ / name).c_str(), GDAL_OF_VECTOR), &GDALClose);
+        ASSERT_TRUE(file) << name;
+        double areas = 0;
+        for (const auto& feature : *file->GetLayer(0)) {
+            const auto* geometry = feature->GetGeometryRef();
+            if (const auto* polygon = dynamic_cast<const OGRSurface*>(geometry)) areas += polygon->get_Area();
+        }
+        const json section = json::parse(run("section model --through A,E,C --json").out);
+        EXPECT_NEAR(areas, section["envelope_area"].get<double>(), 1e-6) << name;
+    }
+    EXPECT_EQ(run("section model --through A,E,C --title Fence -o again.svg").exit_code, 0);
+    EXPECT_EQ(content_of(folder_ / "again.svg"), content_of(folder_ / "s.svg"));
+    expect_failure("--through A,C -o s.svg", 1, "--overwrite");
+}
+
+TEST_F(SectionCommand, says_what_is_wrong) {
+    expect_failure("", 2, "--along x,y,x,y");
+    expect_failure("--along 0,0,1", 2, "odd number");
+    expect_failure("--along 0,0,1,1 --through A,B", 2, "--along");
+    expect_failure("--along 0,0,0,0", 1, "not all the same");
+    expect_failure("--along 500,500,600,600", 1, "outside the model's footprint");
+    expect_failure("--through A,X", 1, "no borehole 'X'");
+    expect_failure("--along 0,0,9,9 -o s.xyz", 2, "s.xyz");
+    expect_failure("--along 0,0,9,9 -o nowhere/s.svg", 1, "nowhere/s.svg");
+    EXPECT_FALSE(fs::exists(folder_ / "s.xyz"));
+}
+
+TEST(WriteFeatures, keeps_holes_heights_and_the_coordinate_system) {
+    const TemporaryFolder folder;
+    MapFeature area{.kind = MapFeature::Kind::Polygon,
+                    .parts = {{{0, 0, 1}, {10, 0, 1}, {10, 10, 1}, {0, 10, 1}},
+                              {{2, 2, 1}, {2, 4, 1}, {4, 4, 1}, {4, 2, 1}}},
+                    .layer = "clay",
+                    .color = "#ff0000",
+                    .attributes = {{"unit", "Clay"}, {"order", 2.0}}};
+    write_features(folder / "a.gpkg", {area}, {.table = "areas", .crs = "EPSG:27700", .flat = false});
+    GDALAllRegister();
+    const std::unique_ptr<GDALDataset, decltype(&GDALClose)> file(
+        GDALDataset::Open((folder / "a.gpkg").c_str(), GDAL_OF_VECTOR), &GDALClose);
+    ASSERT_TRUE(file);
+    OGRLayer* layer = file->GetLayerByName("areas");
+    ASSERT_NE(layer, nullptr);
+    EXPECT_STREQ(layer->GetSpatialRef()->GetAuthorityCode(nullptr), "27700");
+    const std::unique_ptr<OGRFeature> feature(layer->GetNextFeature());
+    EXPECT_STREQ(feature->GetFieldAsString("unit"), "Clay");
+    EXPECT_EQ(feature->GetFieldAsDouble("order"), 2);
+    const auto* polygon = dynamic_cast<const OGRPolygon*>(feature->GetGeometryRef());
+    ASSERT_NE(polygon, nullptr);
+    EXPECT_EQ(polygon->get_Area(), 96);
+    EXPECT_EQ(polygon->getExteriorRing()->getZ(0), 1);
+    EXPECT_THROW(write_features(folder / "b.gpkg", {area}, {.crs = "EPSG:nonsense"}), InvalidInput);
+    EXPECT_THROW(write_features(folder / "b.txt", {area}), IoError);
+    EXPECT_FALSE(fs::exists(folder / "b.gpkg"));
+}
+
+}  // namespace
+}  // namespace stratareeb
