@@ -25,6 +25,7 @@ using Choice = PlanCollapse::Choice;
 constexpr double kStraight = 1e-9;   // of the extent: an outline as close to a straight line as that is one
 constexpr double kRounding = 1e-12;  // of the model's size: what an error of 0 lets pass
 constexpr double kLineShare = 0.1;   // of the spacing: how far lines may be straightened by default
+constexpr double kFlattest = 1e-4;   // sine: flatter triangles than that are no ground to interpolate on
 constexpr std::size_t kReportEvery = 1024;
 constexpr double kAnyDeviation = std::numeric_limits<double>::max();
 
@@ -167,7 +168,7 @@ PlanCollapse::Limits limits_of(const LayerModel& model, const DecimateLayersOpti
     const double straight = kStraight * extent_of(model.plan.surface);
     return {.line_tolerance = std::max(options.line_tolerance.value_or(kLineShare * model.spacing), straight),
             .outline_tolerance = straight,
-            .min_sine = std::sin(options.min_angle_deg * std::numbers::pi / 180),
+            .min_sine = std::max(std::sin(options.min_angle_deg * std::numbers::pi / 180), kFlattest),
             .deviation = options.max_error ? std::max(*options.max_error, kRounding * size) : kAnyDeviation};
 }
 
@@ -194,7 +195,7 @@ DecimatedLayers decimate_layers(const LayerModel& model, const DecimateLayersOpt
     const double size = size_of(model);
     PlanCollapse plan(model, limits_of(model, options, size));
     Decimation(plan, kRounding * size).run(target, options.progress);
-    result.model = reduced(model, plan.mesh());
+    result.model = plan.triangles() < result.triangles_before ? reduced(model, plan.mesh()) : model;
     result.deviation = plan.deviation();
     result.target_reached = !options.triangles || plan.triangles() <= target;
     result.note = note_of(result, options);
