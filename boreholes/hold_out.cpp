@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "boreholes/hold_out.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <thread>
+
+#include "boreholes/errors.h"
+#include "boreholes/predict_columns.h"
+
+namespace stratareeb {
+
+namespace {
+
+Survey without(const Survey& survey, const Draw& draw) {
+    std::vector<char> out(survey.holes.size(), 0);
+    for (const std::size_t h : draw) out.at(h) = 1;
+    Survey rest;
+    rest.units = survey.units;
+    rest.contact_points = survey.contact_points;
+    rest.length_unit = survey.length_unit;
+    for (std::size_t h = 0; h < survey.holes.size(); ++h)
+        if (!out[h]) rest.holes.push_back(survey.holes[h]);
+    return rest;
+}
+
+std::vector<HeldOutHole> predicted(const Survey& survey, const Draw& draw, const HoldOutOptions& options) {
+    const Survey rest = without(survey, draw);
+    const ColumnPredictor predictor(rest, options.prediction, options.bare);
+    std::vector<Point2> where;
+    for (const std::size_t h : draw) where.push_back(survey.holes[h].at);
+    const PredictedColumns columns = predictor.at(where);
+    std::vector<HeldOutHole> result(draw.size());
+    for (std::size_t d = 0; d < draw.size(); ++d) {
+        result[d].hole = draw[d];
+        result[d].inside = columns.inside[d];
+        result[d].horizons.push_back(columns.ground[d]);
+        for (const auto& layer : columns.thickness) {
+            result[d].thickness.push_back(layer[d]);
+            result[d].horizons.push_back(result[d].horizons.back() - layer[d]);
+        }
+    }
+    return result;
+}
+
+//! Draws on all cores; which thread does which has no say in the result. Of several failures the first draw's is thrown.
+void for_each_draw(std::size_t draws, const std::function<void(double)>& progress,
+                   const std::function<void(std::size_t)>& work) {
+    std::mutex lock;
+    std::size_t next = 0, done = 0;
+    std::map<std::size_t, std::exception_ptr> failures;
+    const auto take = [&](std::size_t& draw) {
+        const std::lock_guard guard(lock);
+        draw = next;
+        return failures.empty() && next++ < draws;
+    };
+    const auto run = [&] {
+        for (std::size_t draw = 0; take(draw);) {
+            std::exception_ptr failure;
+            try {
+                work(draw);
+            } catch (...) {
+                failure = std::current_exception();
+            }
+            const std::lock_guard guard(lock);
+            if (failure) failures.emplace(draw, failure);
+            if (progress) progress(static_cast<double>(++done) / static_cast<double>(draws));
+        }
+    };
+    const std::size_t threads =
+        std::min<std::size_t>(draws, std::max(1U, std::thread::hardware_concurrency()));
+    {
+        std::vector<std::jthread> others;
+        for (std::size_t t = 1; t < threads; ++t) others.emplace_back(run);
+        run();
+    }
+    if (!failures.empty()) std::rethrow_exception(failures.begin()->second);
+}
+
+Residual residual_of(std::span<const HeldOutHole> held, std::size_t i, std::size_t item, double actual,
+                     double predicted) {
+    return {i, held[i].hole, held[i].draw, item, actual, predicted, held[i].inside};
+}
+
+}  // namespace
+
+std::vector<HeldOutHole> hold_out(const Survey& survey, const std::vector<Draw>& draws,
+                                  const HoldOutOptions& options) {
+    std::vector<std::vector<HeldOutHole>> of_draw(draws.size());
+    for_each_draw(draws.size(), options.progress, [&](std::size_t d) {
+        try {
+            of_draw[d] = predicted(survey, draws[d], options);
+        } catch (const InvalidInput& error) {
+            throw InvalidInput(
+                fmt::format("without the {} holes of draw {} of {}, the rest can't carry a prediction: {} "
+                            "(leave out fewer at a time)",
+                            draws[d].size(), d + 1, draws.size(), error.what()));
+        }
+    });
+    std::vector<HeldOutHole> result;
+    for (std::size_t d = 0; d < draws.size(); ++d)
+        for (HeldOutHole& hole : of_draw[d]) {
+            hole.draw = d;
+            result.push_back(std::move(hole));
+        }
+    return result;
+}
+
+std::vector<Residual> thickness_residuals(const Survey& survey, std::span<const HeldOutHole> held,
+                                          std::size_t layer) {
+    std::vector<Residual> residuals;
+    for (std::size_t i = 0; i < held.size(); ++i) {
+        const Borehole& hole = survey.holes[held[i].hole];
+        if (layer < hole.layers.size() && hole.layers[layer].knowledge == Knowledge::Measured)
+            residuals.push_back(
+                residual_of(held, i, layer, hole.layers[layer].thickness, held[i].thickness[layer]));
+    }
+    return residuals;
+}
+
+std::vector<Residual> elevation_residuals(const Survey& survey, std::span<const HeldOutHole> held,
+                                          std::size_t k) {
+    std::vector<Residual> residuals;
+    for (std::size_t i = 0; i < held.size(); ++i) {
+        const Borehole& hole = survey.holes[held[i].hole];
+        if (k < hole.horizons.size() && hole.horizons[k])
+            residuals.push_back(residual_of(held, i, k, *hole.horizons[k], held[i].horizons[k]));
+    }
+    return residuals;
+}
+
+BoundCheck check_bounds(const Survey& survey, std::span<const HeldOutHole> held, std::size_t layer) {
+    BoundCheck check;
+    for (const HeldOutHole& hole : held) {
+        const auto& layers = survey.holes[hole.hole].layers;
+        if (layer >= layers.size() || layers[layer].knowledge != Knowledge::AtLeast) continue;
+        ++check.bounds;
+        const double short_by = layers[layer].thickness - hole.thickness[layer];
+        if (short_by <= 0) continue;
+        ++check.below;
+        check.shortfall += short_by;
+    }
+    return check;
+}
+
+std::size_t count_crossings(std::span<const HeldOutHole> held) {
+    std::size_t crossings = 0;
+    for (const HeldOutHole& hole : held)
+        for (std::size_t k = 1; k < hole.horizons.size(); ++k)
+            crossings += hole.horizons[k] > hole.horizons[k - 1];
+    return crossings;
+}
+
+}  // namespace stratareeb
