@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/mesh_part.h"
+#include "mesh/polygon_mesh.h"
 #include "mesh/triangle_soup.h"
 
 namespace stratareeb {
@@ -20,5 +21,8 @@ TriangleSoup read_mesh(const std::filesystem::path& file);
 //! The same with parts kept apart: the objects of an OBJ or 3MF, the nodes of a GLB; one part for other
 //! formats. A part without a name takes that of the file.
 std::vector<PartData> read_mesh_parts(const std::filesystem::path& file);
+
+//! The same with polygons whole, where the format has them (PLY, OBJ, OFF), and all parts in one mesh.
+PolygonMesh read_polygons(const std::filesystem::path& file);
 
 }  // namespace stratareeb

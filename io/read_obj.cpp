@@ -20,6 +20,7 @@ using Colors = std::map<std::string, Rgb, std::less<>>;
 struct Group {
     std::string name, material;
     std::vector<std::array<std::uint32_t, 3>> triangles;
+    Fans fans;
 };
 
 struct Content {
@@ -52,14 +53,14 @@ void read_face(TextScanner& scan, Content& content) {
     for (auto word = next_word(scan); !word.empty() && word[0] != '#'; word = next_word(scan))
         corners.push_back(corner(scan, word, content.points.size()));
     if (corners.size() < 3) scan.fail(fmt::format("a face with {} corners", corners.size()));
-    append_fan(corners, content.groups.back().triangles);
+    append_fan(corners, content.groups.back().triangles, content.groups.back().fans);
 }
 
 // A name opens a group; a group that has no faces yet takes the name over, so that "o" and "g" lines in a row
 // are one.
 void open_group(Content& content, std::string name) {
     if (!content.groups.back().triangles.empty())
-        content.groups.push_back({"", content.groups.back().material, {}});
+        content.groups.push_back({"", content.groups.back().material, {}, {}});
     content.groups.back().name = std::move(name);
 }
 
@@ -134,7 +135,7 @@ TriangleSoup soup_of(const Group& group, const std::vector<Point3>& points) {
 
 }  // namespace
 
-std::vector<PartData> read_obj(const std::filesystem::path& file) {
+std::vector<PolygonPart> read_obj_polygons(const std::filesystem::path& file) {
     const auto text = file_content(file);
     TextScanner scan(file.string(), text);
     auto content = read_content(scan);
@@ -142,21 +143,29 @@ std::vector<PartData> read_obj(const std::filesystem::path& file) {
     std::erase_if(content.groups, [](const Group& g) { return g.triangles.empty(); });
     Colors colors;
     for (const auto& name : content.material_files) read_colors(file.parent_path() / name, colors);
-    std::vector<PartData> parts;
+    std::vector<PolygonPart> parts;
     const auto color_of = [&](const std::string& material) {
         const auto found = colors.find(material);
         return found == colors.end() ? PartData{}.color : found->second;
     };
     if (content.groups.size() <= 1) {  // all vertices belong to the one mesh, unused ones too
         Group group = content.groups.empty() ? Group{} : std::move(content.groups[0]);
-        parts.push_back({group.name,
-                         color_of(group.material),
-                         {std::move(content.points), std::move(group.triangles)},
-                         {}});
+        parts.push_back({{group.name,
+                          color_of(group.material),
+                          {std::move(content.points), std::move(group.triangles)},
+                          {}},
+                         std::move(group.fans)});
         return parts;
     }
     for (const auto& group : content.groups)
-        parts.push_back({group.name, color_of(group.material), soup_of(group, content.points), {}});
+        parts.push_back(
+            {{group.name, color_of(group.material), soup_of(group, content.points), {}}, group.fans});
+    return parts;
+}
+
+std::vector<PartData> read_obj(const std::filesystem::path& file) {
+    std::vector<PartData> parts;
+    for (auto& polygons : read_obj_polygons(file)) parts.push_back(std::move(polygons.part));
     return parts;
 }
 

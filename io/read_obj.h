@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/mesh_part.h"
+#include "io/polygon_fan.h"
 
 namespace stratareeb {
 
@@ -13,5 +14,8 @@ namespace stratareeb {
 //! MTL file.
 //! \throw IoError, InvalidInput as read_mesh does
 std::vector<PartData> read_obj(const std::filesystem::path& file);
+
+//! The same with the polygons that its triangles were.
+std::vector<PolygonPart> read_obj_polygons(const std::filesystem::path& file);
 
 }  // namespace stratareeb

@@ -45,13 +45,14 @@ std::string_view skip_header(TextScanner& scan) {
 
 }  // namespace
 
-PartData read_off(const std::filesystem::path& file) {
+PolygonPart read_off_polygons(const std::filesystem::path& file) {
     const auto content = file_content(file);
     TextScanner scan(file.string(), content);
     const auto vertices = count(scan, skip_header(scan));
     const auto faces = count(scan, scan.word());
     scan.next_line();
-    PartData part;
+    PolygonPart polygons;
+    PartData& part = polygons.part;
     // Counts are promises; a line of a vertex or face has at least six bytes.
     part.soup.points.reserve(std::min<std::uint64_t>(vertices, content.size() / 6 + 1));
     for (std::uint64_t v = 0; v < vertices; ++v) {
@@ -74,10 +75,14 @@ PartData read_off(const std::filesystem::path& file) {
             corners.push_back(static_cast<std::uint32_t>(v));
         }
         if (n < 3) scan.fail(fmt::format("face {} has {} corners", f, n));
-        append_fan(corners, part.soup.triangles);
+        append_fan(corners, part.soup.triangles, polygons.fans);
         scan.next_line();
     }
-    return part;
+    return polygons;
+}
+
+PartData read_off(const std::filesystem::path& file) {
+    return read_off_polygons(file).part;
 }
 
 }  // namespace stratareeb

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "io/mesh_part.h"
+#include "io/polygon_fan.h"
 
 namespace stratareeb {
 
@@ -11,5 +12,8 @@ namespace stratareeb {
 //! line is skipped, polygons become fans.
 //! \throw IoError, InvalidInput as read_mesh does
 PartData read_off(const std::filesystem::path& file);
+
+//! The same with the polygons that its triangles were.
+PolygonPart read_off_polygons(const std::filesystem::path& file);
 
 }  // namespace stratareeb

@@ -54,7 +54,8 @@ void read_vertices(PlyFile& ply, const PlyElement& element, PartData& part) {
     if (one_color && element.count > 0) part.color = color;
 }
 
-void read_faces(PlyFile& ply, const PlyElement& element, TriangleSoup& soup) {
+void read_faces(PlyFile& ply, const PlyElement& element, PolygonPart& polygons) {
+    TriangleSoup& soup = polygons.part.soup;
     PlyBody& body = ply.body();
     const auto is_corners = [](const PlyProperty& p) {
         return p.count_type && (p.name == "vertex_indices" || p.name == "vertex_index");
@@ -70,7 +71,7 @@ void read_faces(PlyFile& ply, const PlyElement& element, TriangleSoup& soup) {
             corners.resize(body.list_length(*p.count_type));
             for (auto& corner : corners) corner = body.index(p.type, soup.points.size());
             if (corners.size() < 3) body.fail(fmt::format("face {} has {} corners", f, corners.size()));
-            append_fan(corners, soup.triangles);
+            append_fan(corners, soup.triangles, polygons.fans);
         }
     }
 }
@@ -90,10 +91,11 @@ std::size_t scalar_property(const std::filesystem::path& file, const PlyElement&
 
 }  // namespace
 
-PartData read_ply(const std::filesystem::path& file) {
+PolygonPart read_ply_polygons(const std::filesystem::path& file) {
     PlyFile ply(file);
     PlyBody& body = ply.body();
-    PartData part;
+    PolygonPart polygons;
+    PartData& part = polygons.part;
     bool vertices_known = false;
     for (const auto& element : ply.elements()) {
         if (element.properties.empty()) continue;  // no bytes, however many are announced
@@ -104,13 +106,17 @@ PartData read_ply(const std::filesystem::path& file) {
             vertices_known = true;
         } else if (element.name == "face") {
             if (!vertices_known) body.fail("faces come before the vertices");
-            read_faces(ply, element, part.soup);
+            read_faces(ply, element, polygons);
         } else {
             body.skip(element);
         }
     }
     if (!vertices_known) body.fail("there are no vertices");
-    return part;
+    return polygons;
+}
+
+PartData read_ply(const std::filesystem::path& file) {
+    return read_ply_polygons(file).part;
 }
 
 std::vector<double> read_ply_property(const std::filesystem::path& file, const std::string& property) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/mesh_part.h"
+#include "io/polygon_fan.h"
 
 namespace stratareeb {
 
@@ -13,6 +14,9 @@ namespace stratareeb {
 //! ones skipped; polygons as fans. A colour that all vertices share becomes the colour of the part.
 //! \throw IoError, InvalidInput as read_mesh does
 PartData read_ply(const std::filesystem::path& file);
+
+//! The same with the polygons that its triangles were.
+PolygonPart read_ply_polygons(const std::filesystem::path& file);
 
 //! One number a vertex, as a PLY file holds beside the coordinates: MeshLab's `quality`, a colour's `red`.
 //! \throw InvalidInput naming the properties that are there, if this one is not; IoError, InvalidInput as read_mesh does

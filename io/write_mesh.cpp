@@ -61,4 +61,22 @@ void write_mesh(const std::filesystem::path& file, const MeshPart& part) {
     write_meshes(file, {&part, 1});
 }
 
+void write_polygons(const std::filesystem::path& file, const std::string& name, const PolygonMesh& mesh,
+                    std::vector<Point3> normals) {
+    PolygonPart polygons{{.name = name, .soup = triangle_fans(mesh), .normals = std::move(normals)}, {}};
+    for (const auto size : mesh.sizes) polygons.fans.push_back(size - 2);
+    auto& [part, fans] = polygons;
+    if (part.normals.size() != part.soup.points.size()) part.normals = vertex_normals(part.soup);
+    switch (mesh_format(file)) {
+        case MeshFormat::Ply:
+            return write_ply_polygons(file, polygons);
+        case MeshFormat::Obj:
+            return write_obj_polygons(file, polygons);
+        case MeshFormat::Off:
+            return write_off_polygons(file, polygons);
+        default:
+            return write_mesh_parts(file, {std::move(part)});
+    }
+}
+
 }  // namespace stratareeb

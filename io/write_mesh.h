@@ -7,6 +7,7 @@
 
 #include "io/mesh_format.h"
 #include "io/mesh_part.h"
+#include "mesh/polygon_mesh.h"
 #include "mesh/tri_mesh.h"
 
 namespace stratareeb {
@@ -31,5 +32,10 @@ void write_mesh(const std::filesystem::path& file, const MeshPart& part);
 
 //! The same for triangles of any kind, non-manifold too. Empty normals are computed.
 void write_mesh_parts(const std::filesystem::path& file, std::vector<PartData> parts);
+
+//! The same for polygons, one a face in PLY, OBJ and OFF (more than 255 corners: fans in PLY), fans of triangles in the others. Empty
+//! normals are computed.
+void write_polygons(const std::filesystem::path& file, const std::string& name, const PolygonMesh& mesh,
+                    std::vector<Point3> normals = {});
 
 }  // namespace stratareeb

@@ -35,18 +35,18 @@ void write_materials(const std::filesystem::path& file, std::span<const PartData
     });
 }
 
-void print_part(TextOutput& out, const PartData& part, std::size_t offset) {
+void print_part(TextOutput& out, const PartData& part, const Fans& fans, std::size_t offset) {
     for (const auto& p : part.soup.points) out.print("v {} {} {}\n", p.x, p.y, p.z);
     for (const auto& n : part.normals) out.print("vn {:.6g} {:.6g} {:.6g}\n", n.x, n.y, n.z);
-    for (const auto& t : part.soup.triangles) {
-        const auto a = t[0] + offset, b = t[1] + offset, c = t[2] + offset;
-        out.print("f {}//{} {}//{} {}//{}\n", a, a, b, b, c, c);
-    }
+    for_each_polygon(part.soup, fans, [&](std::span<const std::uint32_t> corners) {
+        out.print("f");
+        for (const auto v : corners) out.print(" {0}//{0}", v + offset);
+        out.print("\n");
+    });
 }
 
-}  // namespace
-
-void write_obj(const std::filesystem::path& file, std::span<const PartData> parts) {
+// `fans` are those of a part that is alone; parts of several are triangles.
+void write_parts(const std::filesystem::path& file, std::span<const PartData> parts, const Fans& fans) {
     auto materials = file;
     materials.replace_extension(".mtl");
     write_materials(materials, parts);
@@ -56,10 +56,20 @@ void write_obj(const std::filesystem::path& file, std::span<const PartData> part
         std::size_t offset = 1;
         for (std::size_t i = 0; i < parts.size(); ++i) {
             out.print("o {0}\ng {0}\nusemtl {1}\n", word(parts[i].name), material(i, parts[i]));
-            print_part(out, parts[i], offset);
+            print_part(out, parts[i], fans, offset);
             offset += parts[i].soup.points.size();
         }
     });
+}
+
+}  // namespace
+
+void write_obj(const std::filesystem::path& file, std::span<const PartData> parts) {
+    write_parts(file, parts, {});
+}
+
+void write_obj_polygons(const std::filesystem::path& file, const PolygonPart& polygons) {
+    write_parts(file, {&polygons.part, 1}, polygons.fans);
 }
 
 }  // namespace stratareeb

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "io/mesh_part.h"
+#include "io/polygon_fan.h"
 
 namespace stratareeb {
 
@@ -12,5 +13,8 @@ namespace stratareeb {
 //! Coordinates keep every bit. Blanks in names become underscores.
 //! \throw IoError if it can't be written
 void write_obj(const std::filesystem::path& file, std::span<const PartData> parts);
+
+//! The same for one part whose polygons stay whole.
+void write_obj_polygons(const std::filesystem::path& file, const PolygonPart& polygons);
 
 }  // namespace stratareeb
