@@ -9,8 +9,8 @@ double weighted_mean(const PlanLocation& location, const SiteField& field) {
     double sum = 0, weight_sum = 0;
     for (int k = 0; k < 3; ++k) {
         const auto site = location.site[k];
-        if (location.weight[k] == 1 && (field.use.empty() || field.use[site])) return field.value[site];
-        if (location.weight[k] == 0 || (!field.use.empty() && !field.use[site])) continue;
+        if (location.weight[k] == 1 && field.is_measured(site)) return field.value[site];
+        if (location.weight[k] == 0 || !field.is_measured(site)) continue;
         sum += location.weight[k] * field.value[site];
         weight_sum += location.weight[k];
     }

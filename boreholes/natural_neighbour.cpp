@@ -12,10 +12,6 @@ namespace {
 // normal matrix's determinant against its trace) say nothing across their line.
 constexpr double kFlatSpread = 1e-6;
 
-bool has_say(const SiteField& field, std::uint32_t site) {
-    return field.use.empty() || field.use[site];
-}
-
 }  // namespace
 
 NaturalNeighbour::NaturalNeighbour(std::shared_ptr<const HoleTriangulation> holes)
@@ -25,10 +21,10 @@ std::vector<Point2> NaturalNeighbour::gradients(const SiteField& field) const {
     const auto& sites = holes_->sites();
     std::vector<Point2> gradient(sites.size());
     for (std::uint32_t i = 0; i < sites.size(); ++i) {
-        if (!has_say(field, i)) continue;
+        if (!field.is_measured(i)) continue;
         double xx = 0, xy = 0, yy = 0, xv = 0, yv = 0;
         for (const std::uint32_t j : neighbours_[i]) {
-            if (!has_say(field, j)) continue;
+            if (!field.is_measured(j)) continue;
             const double dx = sites[j].x - sites[i].x, dy = sites[j].y - sites[i].y;
             const double dv = field.value[j] - field.value[i];
             const double w = 1 / (dx * dx + dy * dy);
@@ -49,7 +45,7 @@ double NaturalNeighbour::blend(const NaturalPlace& place, const SiteField& field
     double share = 0, z0 = 0, xi = 0, over_r = 0, times_r = 0, times_r2 = 0, rise = 0;
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const auto& [site, weight] : place.weights) {
-        if (!has_say(field, site)) continue;
+        if (!field.is_measured(site)) continue;
         const double dx = place.at.x - sites[site].x, dy = place.at.y - sites[site].y, r = std::hypot(dx, dy);
         const double value = field.value[site];
         const Point2& slope = gradient[site];

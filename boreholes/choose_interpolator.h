@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "boreholes/borehole.h"
+#include "boreholes/interpolator.h"
+#include "boreholes/pinch_out.h"
+
+namespace stratareeb {
+
+struct ChooseOptions {
+    //! Simple ones first: of equals the first is taken.
+    std::vector<InterpolatorKind> candidates{InterpolatorKind::Linear, InterpolatorKind::NaturalNeighbour,
+                                             InterpolatorKind::Spline, InterpolatorKind::Kriging,
+                                             InterpolatorKind::KrigingLinear};
+    std::size_t folds = 10;
+    std::uint64_t seed = 1;
+    std::size_t most_holes =
+        1000;  // so many holes, drawn at random, are held out in all; the others always stay
+    PinchOutRule pinch_out;
+};
+
+//! How well one method predicts holes that it hasn't seen.
+struct InterpolatorScore {
+    InterpolatorKind kind;
+    std::vector<double> rmse;  // by quantity, in survey units
+    double ratio = 1;          // geometric mean over the quantities of rmse / the first candidate's
+};
+
+struct InterpolatorChoice {
+    InterpolatorKind kind;
+    std::vector<std::string> quantities;    // "thickness of 'sand'", …
+    std::vector<std::size_t> held_out;      // holes, by quantity
+    std::vector<InterpolatorScore> scores;  // in the order of the candidates
+    std::string reason;                     // a sentence
+};
+
+//! The candidate with the least error when boreholes are left out, fold by fold, and predicted from the rest: thickness of each layer
+//! as a model has it, with its pinch-out rule, or elevation of each horizon of surveys of contact points. Holes at one place
+//! are held out together. A survey with fewer than 5 holes that know anything, or with nothing to tell candidates apart by,
+//! gets the first.
+//! \throw InvalidInput if there are no candidates or fewer than two folds.
+InterpolatorChoice choose_interpolator(const Survey& survey, const ChooseOptions& options = {});
+
+}  // namespace stratareeb

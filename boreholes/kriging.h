@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "boreholes/radial_interpolator.h"
+
+namespace stratareeb {
+
+//! Ordinary kriging (drift 0) and universal kriging with a linear (1) or quadratic (2) drift (G. Matheron, 1963 and 1969; N. Cressie,
+//! "Statistics for Spatial Data", 1993): of all unbiased weighted means the one of least variance. The variogram is fitted to
+//! each field (fit_variogram.h) unless one is given.
+//!
+//! A nugget would make the surface jump at every hole. By default it is taken as what it mostly is, change over less than the
+//! holes' distance: a structure of the range of the median gap between sites, so the surface passes through the values smoothly and
+//! is elsewhere what kriging with a nugget gives. With `filter_nugget` it passes beside them.
+class Kriging : public RadialInterpolator {
+ public:
+    Kriging(std::shared_ptr<const HoleTriangulation> holes, int drift, const InterpolatorOptions& options);
+
+    //! The variogram in use for a field, in coordinates and values as given.
+    Variogram variogram_of(const SiteField& field) const;
+
+ protected:
+    FieldModel model_of(const FieldSites& sites) const override;
+
+ private:
+    Variogram fitted(const FieldSites& sites) const;
+
+    int drift_;
+    std::optional<Variogram> variogram_;
+    bool filter_nugget_;
+};
+
+}  // namespace stratareeb
