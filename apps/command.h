@@ -12,11 +12,14 @@ void add_check_command(CLI::App& program);
 void add_convert_command(CLI::App& program);
 void add_info_command(CLI::App& program);
 void add_levels_command(CLI::App& program);
+void add_map_command(CLI::App& program);
 void add_query_command(CLI::App& program);
 void add_reconstruct_command(CLI::App& program);
 void add_reeb_command(CLI::App& program);
+void add_refine_command(CLI::App& program);
 void add_sample_command(CLI::App& program);
 void add_section_command(CLI::App& program);
+void add_validate_command(CLI::App& program);
 
 //! Thrown by a command that did its work and found a failure to report by exit code 1, its text already printed.
 struct CommandFailed {};

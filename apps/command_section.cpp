@@ -5,17 +5,20 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "apps/command.h"
 #include "apps/keep_existing.h"
+#include "apps/map_output.h"
 #include "apps/mesh_report.h"
 #include "boreholes/errors.h"
 #include "io/drawing_page.h"
 #include "io/read_model.h"
 #include "io/write_features.h"
 #include "io/write_section.h"
+#include "mesh/horizontal_section.h"
 #include "mesh/vertical_section.h"
 
 namespace stratareeb {
@@ -24,9 +27,10 @@ namespace {
 using nlohmann::json;
 
 struct SectionArguments {
-    std::string folder, title;
+    std::string folder, title, crs;
     std::vector<std::string> outputs, through;
     std::vector<double> along;
+    std::optional<double> at_z;
     double exaggeration = 0, holes_within = -1;
     bool json = false, overwrite = false;
 };
@@ -119,9 +123,79 @@ void print_section(const SavedModel& saved, const VerticalSection& section,
     fmt::print("{:>3}  {:<24} {:>14.7g}\n", "", "all", envelope_area(section));
 }
 
+std::vector<MapArea> level_areas(const std::vector<LevelPolygon>& polygons) {
+    std::vector<MapArea> areas;
+    for (const LevelPolygon& polygon : polygons) areas.push_back({polygon.rings, polygon.layer});
+    return areas;
+}
+
+std::vector<double> level_sizes(const LayerModel& model, const std::vector<LevelPolygon>& polygons) {
+    std::vector<double> sizes(model.units.size(), 0);
+    for (const LevelPolygon& polygon : polygons) sizes[polygon.layer] += area(polygon);
+    return sizes;
+}
+
+json level_json(const LayerModel& model, double z, const std::vector<LevelPolygon>& polygons) {
+    json result{{"z", z}, {"length_unit", model.length_unit}, {"units", json::array()}};
+    const auto sizes = level_sizes(model, polygons);
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        json rings = json::array();
+        for (const LevelPolygon& polygon : polygons) {
+            if (polygon.layer != i) continue;
+            json parts = json::array();
+            for (const auto& ring : polygon.rings) {
+                json points = json::array();
+                for (const Point2& p : ring) points.push_back({p.x, p.y});
+                parts.push_back(std::move(points));
+            }
+            rings.push_back(std::move(parts));
+        }
+        result["units"].push_back({{"order", i + 1},
+                                   {"code", model.units[i].code},
+                                   {"name", model.units[i].name},
+                                   {"color", model.units[i].color},
+                                   {"area", sizes[i]},
+                                   {"polygons", std::move(rings)}});
+    }
+    return result;
+}
+
+void print_level(const LayerModel& model, double z, const std::vector<LevelPolygon>& polygons) {
+    const auto sizes = level_sizes(model, polygons);
+    fmt::print("level z = {:.10g} {}\n{:>3}  {:<24} {:>14}\n", z, model.length_unit, "", "layer",
+               fmt::format("area [{}²]", model.length_unit));
+    for (std::size_t i = 0; i < sizes.size(); ++i)
+        if (sizes[i] > 0) fmt::print("{:>3}  {:<24} {:>14.7g}\n", i + 1, model.units[i].name, sizes[i]);
+}
+
+//! A horizontal section, as a map.
+void run_level(const SectionArguments& arguments, const SavedModel& saved) {
+    const double z = *arguments.at_z;
+    const auto polygons = horizontal_section(saved.model, z);
+    if (polygons.empty()) throw InvalidInput(fmt::format("nothing of the model lies at z = {:.10g}", z));
+    const std::string about = fmt::format("level z = {:.10g} {}", z, saved.model.length_unit);
+    for (const std::string& output : arguments.outputs) {
+        if (is_feature_file(output)) {
+            write_features(output, area_features(level_areas(polygons), saved.model.units),
+                           {.table = "level", .crs = arguments.crs});
+            continue;
+        }
+        PlanMap map = map_of(saved, arguments.title.empty() ? about : arguments.title);
+        map.note = arguments.title.empty() ? "" : about;
+        map.areas = level_areas(polygons);
+        write_plan_map(output, map);
+    }
+    if (arguments.json)
+        std::fputs(json_text(level_json(saved.model, z, polygons)).c_str(), stdout);
+    else
+        print_level(saved.model, z, polygons);
+}
+
 void check_usage(const SectionArguments& arguments) {
-    if (arguments.along.empty() == arguments.through.empty())
-        throw CLI::ValidationError("section", "give the line: --along x,y,x,y,… or --through HOLE,HOLE,…");
+    const int ways = !arguments.along.empty() + !arguments.through.empty() + arguments.at_z.has_value();
+    if (ways != 1)
+        throw CLI::ValidationError(
+            "section", "give one of --along x,y,x,y,…, --through HOLE,HOLE,… and, for a level, --at-z z");
     if (arguments.along.size() % 2 != 0)
         throw CLI::ValidationError("--along", "has an odd number of coordinates; it takes x,y,x,y,…");
     for (const std::string& output : arguments.outputs)
@@ -134,6 +208,7 @@ void run(const SectionArguments& arguments) {
     check_usage(arguments);
     for (const std::string& output : arguments.outputs) keep_existing(output, arguments.overwrite);
     const SavedModel saved = read_model(arguments.folder);
+    if (arguments.at_z) return run_level(arguments, saved);
     const LayerModel& model = saved.model;
     const VerticalSection section =
         vertical_section(model, PlanLocator(model.plan.surface), line_of(arguments, saved));
@@ -160,12 +235,16 @@ void run(const SectionArguments& arguments) {
 void add_section_command(CLI::App& program) {
     const auto arguments = std::make_shared<SectionArguments>();
     CLI::App* command =
-        program.add_subcommand("section", "Cut a built model along a line or through boreholes");
+        program.add_subcommand("section", "Cut a built model along a line, through boreholes or at a level");
     command->add_option("DIR", arguments->folder, "Folder that build wrote")->required();
     command->add_option("--along", arguments->along, "The line: x,y,x,y,… in map coordinates")
         ->delimiter(',');
     command->add_option("--through", arguments->through, "A fence: names of boreholes, in order")
         ->delimiter(',');
+    command->add_option("--at-z", arguments->at_z, "A level instead: a horizontal section at this elevation");
+    command->add_option(
+        "--crs", arguments->crs,
+        "Coordinate reference system of the model, for the polygons of a level, as EPSG:27700");
     command->add_option(
         "-o,--output", arguments->outputs,
         "Drawing (.svg, .pdf, .png) or polygons for CAD and GIS (.dxf, .gpkg, .geojson); may be repeated");

@@ -15,11 +15,14 @@ int main(int argc, char** argv) {
     add_convert_command(program);
     add_info_command(program);
     add_levels_command(program);
+    add_map_command(program);
     add_query_command(program);
     add_reconstruct_command(program);
     add_reeb_command(program);
+    add_refine_command(program);
     add_sample_command(program);
     add_section_command(program);
+    add_validate_command(program);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "boreholes/errors.h"
+#include "io/map_reference.h"
 #include "io/quiet_gdal.h"
 #include "io/write_aside.h"
 
@@ -27,17 +28,6 @@ const char* driver_of(const std::filesystem::path& file) {
 
 [[noreturn]] void fail(const std::filesystem::path& file) {
     throw IoError(fmt::format("{}: can't be written: {}", file.string(), CPLGetLastErrorMsg()));
-}
-
-std::unique_ptr<OGRSpatialReference> reference(const std::string& crs) {
-    if (crs.empty()) return nullptr;
-    auto result = std::make_unique<OGRSpatialReference>();
-    if (result->SetFromUserInput(crs.c_str()) != OGRERR_NONE)
-        throw InvalidInput(fmt::format(
-            "unknown coordinate reference system '{}'; give a code such as EPSG:27700, a PROJ string or WKT",
-            crs));
-    result->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    return result;
 }
 
 void add_points(OGRSimpleCurve& curve, const std::vector<Point3>& points, bool flat, bool close) {
@@ -112,7 +102,7 @@ void write_dataset(const std::filesystem::path& file, const std::vector<MapFeatu
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(driver_name);
     if (driver == nullptr)
         throw IoError(fmt::format("{}: this GDAL has no driver {}", file.string(), driver_name));
-    const auto crs = reference(options.crs);
+    const auto crs = map_reference(options.crs);
     Dataset dataset(driver->Create(file.c_str(), 0, 0, 0, GDT_Unknown, nullptr), &GDALClose);
     if (!dataset) fail(file);
     const bool is_dxf = std::string_view(driver_name) == "DXF";

@@ -31,3 +31,5 @@ build/stratareeb build examples/sighthill/intervals.csv --collars examples/sight
     -o "$folder/fence" >/dev/null
 build/stratareeb section "$folder/fence" --through GBH06,GBH02,GBH01,GBH03 -o docs/images/section.png --overwrite \
     --title "Sighthill, a fence through four boreholes" >/dev/null
+build/stratareeb section "$folder/fence" --at-z 46 -o docs/images/level.png --overwrite >/dev/null
+build/stratareeb map "$folder/fence" --show thickness --unit clay -o docs/images/map.png --overwrite >/dev/null

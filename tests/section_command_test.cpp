@@ -80,6 +80,22 @@ TEST_F(SectionCommand, draws_and_writes_for_cad_and_gis) {
     expect_failure("--through A,C -o s.svg", 1, "--overwrite");
 }
 
+TEST_F(SectionCommand, cuts_at_a_level) {
+    const auto result = run("section model --at-z 7.5 --json -o level.svg -o level.gpkg --crs EPSG:27700");
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const json level = json::parse(result.out);
+    EXPECT_EQ(level["units"][0]["area"], 0.0);
+    EXPECT_GT(level["units"][1]["area"].get<double>(), 0);
+    EXPECT_LT(level["units"][1]["area"].get<double>(), 1e4);  // clay is absent around E
+    ASSERT_EQ(level["units"][1]["polygons"].size(), 1u);
+    EXPECT_EQ(level["units"][1]["polygons"][0].size(), 2u);  // a ring and the hole in it
+    EXPECT_NE(content_of(folder_ / "level.svg").find("<svg"), std::string::npos);
+    const json sand = json::parse(run("section model --at-z 9 --json").out);
+    EXPECT_NEAR(sand["units"][0]["area"].get<double>(), 1e4, 1e-6);
+    expect_failure("--at-z 11", 1, "nothing of the model lies at z = 11");
+    expect_failure("--at-z 1 --along 0,0,1,1", 2, "give one of");
+}
+
 TEST_F(SectionCommand, says_what_is_wrong) {
     expect_failure("", 2, "--along x,y,x,y");
     expect_failure("--along 0,0,1", 2, "odd number");
