@@ -13,4 +13,13 @@ double estimated_memory(double plan_triangles, std::size_t layers, bool all_soli
 //! way out.
 void check_memory(double plan_triangles, std::size_t layers, bool all_solids);
 
+//! Bytes that `refine` needs at its peak, estimated from the faces that it makes.
+double estimated_refine_memory(double faces, bool are_quads);
+
+//! Whether the machine has that much free.
+bool has_refine_memory(double faces, bool are_quads);
+
+//! \throw InvalidInput as check_memory does
+void check_refine_memory(double faces, bool are_quads);
+
 }  // namespace stratareeb
