@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "boreholes/prediction_intervals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "boreholes/nearest_sites.h"
+
+namespace stratareeb {
+
+namespace {
+
+constexpr std::size_t kNearby = 8;  // errors that make the local mean
+constexpr double kPull = 4;         // errors of mean size that are added to them
+
+//! Rank (0-based) of the conformal quantile among `count` scores; `count` if there are too few.
+std::size_t conformal_rank(std::size_t count, double confidence) {
+    const double rank = std::ceil((static_cast<double>(count) + 1) * confidence * (1 - 1e-12));
+    return std::min(count, static_cast<std::size_t>(std::max(rank, 1.0)) - 1);
+}
+
+//! 0 / 0 is a right prediction amid right ones.
+double score(double error, double scale) {
+    return error == 0 ? 0 : std::abs(error) / scale;
+}
+
+}  // namespace
+
+struct LocalError::Index {
+    std::vector<Point2> places;
+    NearestSites nearest;
+    double sum = 0;
+    std::map<std::size_t, std::pair<double, std::size_t>> of_draw;  // sum and number of its errors' sizes
+
+    explicit Index(const std::vector<PlacedError>& errors) : places(places_of(errors)), nearest(places) {
+        for (const PlacedError& error : errors) {
+            sum += std::abs(error.error);
+            auto& [draw_sum, number] = of_draw[error.draw];
+            draw_sum += std::abs(error.error);
+            ++number;
+        }
+    }
+    static std::vector<Point2> places_of(const std::vector<PlacedError>& errors) {
+        std::vector<Point2> places;
+        for (const PlacedError& error : errors) places.push_back(error.at);
+        return places;
+    }
+};
+
+LocalError::LocalError(std::vector<PlacedError> errors)
+    : errors_(std::move(errors)), index_(errors_.empty() ? nullptr : std::make_unique<Index>(errors_)) {}
+LocalError::~LocalError() = default;
+LocalError::LocalError(LocalError&&) noexcept = default;
+LocalError& LocalError::operator=(LocalError&&) noexcept = default;
+
+double LocalError::blended(double sum, std::size_t found, double mean) const {
+    return (sum + kPull * mean) / (static_cast<double>(found) + kPull);
+}
+
+double LocalError::at(const Point2& place) const {
+    if (!index_) return 0;
+    double sum = 0;
+    const auto near = index_->nearest.nearest(place, kNearby);
+    for (const NearSite& site : near) sum += std::abs(errors_[site.site].error);
+    return blended(sum, near.size(), index_->sum / static_cast<double>(errors_.size()));
+}
+
+double LocalError::at_without(const Point2& place, std::size_t draw) const {
+    if (!index_) return 0;
+    const auto own = index_->of_draw.find(draw);
+    const std::size_t left_out = own == index_->of_draw.end() ? 0 : own->second.second;
+    const std::size_t others = errors_.size() - left_out;
+    if (others == 0) return 0;
+    double sum = 0;
+    std::size_t found = 0;
+    std::vector<NearSite> near;
+    for (std::size_t asked = 2 * kNearby;; asked *= 2) {
+        index_->nearest.nearest(place, asked, near);
+        sum = 0;
+        found = 0;
+        for (const NearSite& site : near) {
+            if (errors_[site.site].draw == draw || found == kNearby) continue;
+            sum += std::abs(errors_[site.site].error);
+            ++found;
+        }
+        if (found == kNearby || asked >= errors_.size()) break;
+    }
+    const double all = index_->sum - (left_out > 0 ? own->second.first : 0);
+    return blended(sum, found, std::max(all, 0.0) / static_cast<double>(others));
+}
+
+PredictionReach prediction_reach(const LocalError& local, double confidence) {
+    std::vector<double> scores;
+    for (const PlacedError& error : local.errors())
+        scores.push_back(score(error.error, local.at_without(error.at, error.draw)));
+    if (scores.empty()) return {0, false};
+    std::ranges::sort(scores);
+    const std::size_t rank = conformal_rank(scores.size(), confidence);
+    return {scores[std::min(rank, scores.size() - 1)], rank < scores.size()};
+}
+
+std::vector<double> held_out_half_widths(const LocalError& local, double confidence) {
+    const auto errors = local.errors();
+    std::vector<double> scale, scores;
+    std::map<std::size_t, std::vector<std::size_t>> members;  // of a draw, later by rank
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        scale.push_back(local.at_without(errors[i].at, errors[i].draw));
+        scores.push_back(score(errors[i].error, scale[i]));
+    }
+    std::vector<std::size_t> order(errors.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return scores[i]; });
+    for (std::size_t rank = 0; rank < order.size(); ++rank) members[errors[order[rank]].draw].push_back(rank);
+
+    std::map<std::size_t, double> factor;
+    for (const auto& [draw, own] : members) {
+        const std::size_t others = errors.size() - own.size();
+        if (others == 0) continue;
+        std::size_t rank = std::min(conformal_rank(others, confidence), others - 1);
+        for (const std::size_t taken : own) rank += taken <= rank;  // step over the draw's own scores
+        factor[draw] = scores[order[rank]];
+    }
+    std::vector<double> widths;
+    for (std::size_t i = 0; i < errors.size(); ++i) widths.push_back(factor[errors[i].draw] * scale[i]);
+    return widths;
+}
+
+}  // namespace stratareeb

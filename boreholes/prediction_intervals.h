@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "boreholes/point.h"
+
+namespace stratareeb {
+
+//! An error that a hold-out found: where, in which draw, and predicted - actual.
+struct PlacedError {
+    Point2 at;
+    std::size_t draw = 0;
+    double error = 0;
+};
+
+//! How large errors are around a place, from those that a hold-out found: the mean size of the nearest ones, drawn towards the
+//! mean of all, so that a few lucky holes promise nothing. It works for every interpolator alike, since it is made from
+//! errors, not from a model of them.
+class LocalError {
+ public:
+    explicit LocalError(std::vector<PlacedError> errors);
+    ~LocalError();
+    LocalError(LocalError&&) noexcept;
+    LocalError& operator=(LocalError&&) noexcept;
+
+    std::size_t count() const { return errors_.size(); }
+    std::span<const PlacedError> errors() const { return errors_; }
+
+    //! Expected size of an error at a place, from all errors.
+    double at(const Point2& place) const;
+
+    //! The same from errors of other draws only: what an error of this draw may be held against.
+    double at_without(const Point2& place, std::size_t draw) const;
+
+ private:
+    struct Index;
+    double blended(double sum, std::size_t found, double mean) const;
+
+    std::vector<PlacedError> errors_;
+    std::unique_ptr<Index> index_;
+};
+
+//! prediction ± reach: an interval that holds the truth with a given confidence.
+struct PredictionReach {
+    double factor = 0;    // of the local error
+    bool certain = true;  // false: too few errors for the confidence; the largest one is taken
+};
+
+//! The reach for a new place: the conformal quantile of |error| / local error over all errors (V. Vovk, A. Gammerman and G.
+//! Shafer, "Algorithmic learning in a random world", 2005; normalised as by H. Papadopoulos, 2008).
+PredictionReach prediction_reach(const LocalError& local, double confidence);
+
+//! For each error, the half width of the interval that would have been given there by errors of other draws alone
+//! (cross-conformal prediction, V. Vovk, 2015). With exchangeable holes the share of |error| <= half width is at least
+//! about the confidence, whatever the interpolator and the law of errors.
+std::vector<double> held_out_half_widths(const LocalError& local, double confidence);
+
+}  // namespace stratareeb

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "boreholes/prediction_intervals.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "boreholes/hold_out_draws.h"
+#include "boreholes/next_boreholes.h"
+#include "boreholes/predict_columns.h"
+#include "boreholes/random_survey.h"
+#include "boreholes/validation.h"
+
+namespace stratareeb {
+namespace {
+
+//! Errors at random places, ten draws; `size_at` is their standard deviation.
+template <class Law, class SizeAt>
+std::vector<PlacedError> random_errors(std::size_t count, std::uint64_t seed, Law law, SizeAt size_at) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> place(0, 100);
+    std::vector<PlacedError> errors;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Point2 at{place(random), place(random)};
+        errors.push_back({at, i % 10, size_at(at) * law(random)});
+    }
+    return errors;
+}
+
+double coverage(const LocalError& local, double confidence) {
+    const auto widths = held_out_half_widths(local, confidence);
+    std::size_t covered = 0;
+    for (std::size_t i = 0; i < widths.size(); ++i) covered += std::abs(local.errors()[i].error) <= widths[i];
+    return static_cast<double>(covered) / static_cast<double>(widths.size());
+}
+
+//! Brute force: the definition, without index and without shared sorting.
+std::vector<double> plain_half_widths(const std::vector<PlacedError>& errors, double confidence) {
+    const auto scale = [&](std::size_t i) {
+        std::vector<std::pair<double, std::size_t>> others;
+        double sum = 0;
+        for (std::size_t j = 0; j < errors.size(); ++j) {
+            if (errors[j].draw == errors[i].draw) continue;
+            const double dx = errors[j].at.x - errors[i].at.x, dy = errors[j].at.y - errors[i].at.y;
+            others.push_back({dx * dx + dy * dy, j});
+            sum += std::abs(errors[j].error);
+        }
+        std::sort(others.begin(), others.end());
+        const std::size_t near = std::min<std::size_t>(8, others.size());
+        double local = 4 * sum / static_cast<double>(others.size());
+        for (std::size_t k = 0; k < near; ++k) local += std::abs(errors[others[k].second].error);
+        return local / (static_cast<double>(near) + 4);
+    };
+    std::vector<double> widths;
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        std::vector<double> scores;
+        for (std::size_t j = 0; j < errors.size(); ++j)
+            if (errors[j].draw != errors[i].draw) scores.push_back(std::abs(errors[j].error) / scale(j));
+        std::sort(scores.begin(), scores.end());
+        const auto rank =
+            static_cast<std::size_t>(std::ceil((static_cast<double>(scores.size()) + 1) * confidence));
+        widths.push_back(scores[std::min(rank, scores.size()) - 1] * scale(i));
+    }
+    return widths;
+}
+
+TEST(PredictionIntervals, are_those_of_the_definition) {
+    for (const std::size_t count : {std::size_t{12}, std::size_t{45}, std::size_t{200}}) {
+        const auto errors =
+            random_errors(count, count, std::normal_distribution<double>(), [](Point2 p) { return 1 + p.x; });
+        const LocalError local(errors);
+        for (const double confidence : {0.8, 0.95}) {
+            const auto expected = plain_half_widths(errors, confidence),
+                       found = held_out_half_widths(local, confidence);
+            for (std::size_t i = 0; i < count; ++i)
+                EXPECT_NEAR(found[i], expected[i], 1e-12 * (1 + expected[i]));
+        }
+    }
+}
+
+TEST(PredictionIntervals, cover_as_promised_whatever_the_law) {
+    for (const double confidence : {0.8, 0.9, 0.95}) {
+        for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+            const auto even = [](Point2) { return 1.0; };
+            const auto steep = [](Point2 p) { return std::exp(p.x / 20); };
+            EXPECT_NEAR(
+                coverage(LocalError(random_errors(1000, seed, std::normal_distribution<double>(), even)),
+                         confidence),
+                confidence, 0.012);
+            EXPECT_NEAR(
+                coverage(LocalError(random_errors(1000, seed, std::cauchy_distribution<double>(), even)),
+                         confidence),
+                confidence, 0.012);
+            EXPECT_NEAR(
+                coverage(LocalError(random_errors(1000, seed, std::normal_distribution<double>(), steep)),
+                         confidence),
+                confidence, 0.012);
+        }
+    }
+}
+
+//! Where errors are large in one half, intervals are wide there and narrow in the other.
+TEST(PredictionIntervals, follow_the_size_of_errors_over_the_plan) {
+    const auto is_calm = [](const Point2& p) { return p.x < 50; };
+    const auto size = [&](Point2 p) { return is_calm(p) ? 1.0 : 4.0; };
+    const LocalError local(random_errors(2000, 3, std::normal_distribution<double>(), size));
+    const auto widths = held_out_half_widths(local, 0.95);
+    double calm_width = 0, wild_width = 0, calm = 0, calm_covered = 0, wild_covered = 0,
+           wild_covered_by_constant = 0;
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        const PlacedError& error = local.errors()[i];
+        const bool covered = std::abs(error.error) <= widths[i];
+        (is_calm(error.at) ? calm_width : wild_width) += widths[i];
+        (is_calm(error.at) ? calm_covered : wild_covered) += covered;
+        calm += is_calm(error.at);
+    }
+    const double wild = 2000 - calm;
+    EXPECT_LT(calm_width / calm, 0.55 * wild_width / wild);
+    EXPECT_LT(calm_covered / calm, 0.9995);
+    EXPECT_GT(wild_covered / wild, 0.88);
+    EXPECT_LT(2 * local.at({10, 50}), local.at({90, 50}));
+}
+
+TEST(PredictionIntervals, right_predictions_get_no_width_and_few_errors_are_told) {
+    std::vector<PlacedError> right;
+    for (std::size_t i = 0; i < 50; ++i) right.push_back({{static_cast<double>(i), 0}, i % 10, 0});
+    EXPECT_EQ(coverage(LocalError(right), 0.95), 1);
+    EXPECT_EQ(held_out_half_widths(LocalError(right), 0.95)[7], 0);
+    const auto few = random_errors(15, 1, std::normal_distribution<double>(), [](Point2) { return 1.0; });
+    EXPECT_FALSE(prediction_reach(LocalError(few), 0.95).certain);  // 19 errors are the least
+    EXPECT_TRUE(prediction_reach(LocalError(few), 0.8).certain);
+    const auto nineteen =
+        random_errors(19, 1, std::normal_distribution<double>(), [](Point2) { return 1.0; });
+    EXPECT_TRUE(prediction_reach(LocalError(nineteen), 0.95).certain);
+    EXPECT_FALSE(prediction_reach(LocalError({}), 0.95).certain);
+    EXPECT_TRUE(held_out_half_widths(LocalError({}), 0.95).empty());
+    EXPECT_EQ(held_out_half_widths(LocalError({{{0, 0}, 0, 3.0}}), 0.95),
+              std::vector<double>{0});  // nothing to go by
+    EXPECT_EQ(LocalError({}).at({1, 2}), 0);
+}
+
+//! New holes, not those that were held out, fall into the intervals; rather more of them than promised, since they see the error
+//! of their nearest hole and one that was held out does not see its own.
+TEST(PredictionIntervals, cover_new_holes) {
+    std::size_t covered = 0, checked = 0;
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+        const RandomSurveyOptions options{.holes = 250, .layers = 2, .seed = seed, .corners = false};
+        Survey survey = random_survey(options), known = survey;
+        known.holes.resize(150);
+        const Validation validation = validate(known, fold_draws(150, 10, seed));
+        std::vector<Point2> where;
+        for (std::size_t h = 150; h < 250; ++h) where.push_back(survey.holes[h].at);
+        const auto columns = ColumnPredictor(known).at(where);
+        for (std::size_t i = 0; i < 2; ++i) {
+            std::vector<PlacedError> errors;
+            for (const Residual& residual : validation.layers[i].residuals)
+                errors.push_back({known.holes[residual.hole].at, residual.draw, residual.error()});
+            const LocalError local(errors);
+            const double factor = prediction_reach(local, 0.95).factor;
+            for (std::size_t p = 0; p < 100; ++p) {
+                const double error = columns.thickness[i][p] - survey.holes[150 + p].layers[i].thickness;
+                covered += std::abs(error) <= factor * local.at(where[p]);
+                ++checked;
+            }
+        }
+    }
+    const double share = static_cast<double>(covered) / static_cast<double>(checked);
+    EXPECT_GT(share, 0.94);
+    EXPECT_LT(share, 0.995);
+}
+
+TEST(NextBoreholes, stand_in_the_largest_gaps) {
+    std::vector<Point2> holes;
+    for (int x = 0; x <= 10; ++x)
+        for (int y = 0; y <= 10; ++y)
+            if (std::hypot(x - 7, y - 3) > 2.5) holes.push_back({x * 10.0 + 0.01 * y, y * 10.0 + 0.013 * x});
+    const auto same = [](const Point2&) { return 2.0; };
+    const auto next = next_boreholes(holes, 1, same);
+    ASSERT_EQ(next.size(), 1u);
+    EXPECT_LT(std::hypot(next[0].at.x - 70, next[0].at.y - 30), 25);
+    EXPECT_EQ(next[0].benefit(), 2 * next[0].area);
+    // Ten times the error far away outweighs the gap.
+    const auto elsewhere =
+        next_boreholes(holes, 1, [](const Point2& p) { return p.x < 20 && p.y > 80 ? 30.0 : 1.0; });
+    EXPECT_LT(elsewhere[0].at.x, 20);
+    EXPECT_GT(elsewhere[0].at.y, 80);
+    const auto five = next_boreholes(holes, 5, same);
+    EXPECT_EQ(five.size(), 5u);
+    for (std::size_t i = 1; i < 5; ++i) {
+        for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(five[i].at == five[j].at);
+    }
+    EXPECT_TRUE(next_boreholes({}, 3, same).empty());
+    EXPECT_TRUE(next_boreholes(std::vector<Point2>{{0, 0}, {1, 0}}, 3, same).empty());
+}
+
+double mean_error(const Survey& known, const AnalyticTruth& truth) {
+    std::vector<Point2> where;
+    for (int x = 0; x < 25; ++x)
+        for (int y = 0; y < 25; ++y)
+            where.push_back({(x + 0.5) / 25 * truth.extent + truth.corner.x,
+                             (y + 0.5) / 25 * truth.extent + truth.corner.y});
+    const auto columns = ColumnPredictor(known).at(where);
+    double sum = 0;
+    for (std::size_t i = 0; i < truth.layers.size(); ++i)
+        for (std::size_t p = 0; p < where.size(); ++p)
+            sum += std::abs(columns.thickness[i][p] - truth.thickness(i, where[p]));
+    return sum / static_cast<double>(where.size());
+}
+
+Survey drilled(Survey survey, const AnalyticTruth& truth, const std::vector<Point2>& places) {
+    for (const Point2& at : places) {
+        Borehole hole{.id = "new", .at = at};
+        hole.horizons.push_back(truth.ground(at));
+        for (std::size_t i = 0; i < truth.layers.size(); ++i) {
+            hole.layers.push_back({Knowledge::Measured, truth.thickness(i, at)});
+            hole.horizons.push_back(*hole.horizons.back() - hole.layers.back().thickness);
+        }
+        survey.holes.push_back(hole);
+    }
+    return survey;
+}
+
+//! Four holes where they are suggested make the model better than four at random, in most of many surveys and by much.
+TEST(NextBoreholes, help_more_than_random_ones) {
+    double suggested = 0, random_places = 0, before = 0;
+    std::size_t better = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        const RandomSurveyOptions options{
+            .holes = 30, .layers = 3, .seed = seed, .plan = HolePlan::Clustered};
+        const Survey survey = random_survey(options);
+        const AnalyticTruth truth = random_truth(options);
+        ValidationOptions validation;
+        validation.suggestions = 4;
+        std::vector<Point2> places, others;
+        for (const NextBorehole& next : validate(survey, fold_draws(30, 10, 1), validation).next)
+            places.push_back(next.at);
+        std::mt19937_64 random(seed);
+        std::uniform_real_distribution<double> along(0, truth.extent);
+        for (std::size_t i = 0; i < places.size(); ++i)
+            others.push_back({truth.corner.x + along(random), truth.corner.y + along(random)});
+        const double a = mean_error(drilled(survey, truth, places), truth),
+                     b = mean_error(drilled(survey, truth, others), truth);
+        before += mean_error(survey, truth);
+        suggested += a;
+        random_places += b;
+        better += a < b;
+    }
+    EXPECT_LT(suggested, 0.9 * random_places) << before;
+    EXPECT_GE(better, 14u);
+}
+
+}  // namespace
+}  // namespace stratareeb
