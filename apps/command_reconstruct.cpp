@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <map>
@@ -15,13 +16,14 @@
 #include "apps/progress.h"
 #include "apps/reconstruct_input.h"
 #include "apps/reeb_report.h"
+#include "apps/turned_frame.h"
 #include "boreholes/errors.h"
 #include "io/write_enhanced_graph.h"
 #include "io/write_mesh.h"
 #include "io/write_picture.h"
 #include "mesh/analysis.h"
 #include "mesh/normals.h"
-#include "reeb/surface_construction.h"
+#include "reeb/surface_of_graph.h"
 
 namespace stratareeb {
 namespace {
@@ -31,7 +33,7 @@ struct ReconstructArguments {
     StackOptions stack;
     std::optional<HomotopyKind> homotopy;
     SurfaceOptions surface;
-    bool allow_crossings = false, overwrite = false, json = false;
+    bool turned = false, allow_crossings = false, overwrite = false, json = false;
 };
 
 //! Whatever would stop the writing is asked before the work.
@@ -63,6 +65,7 @@ class Reconstruct {
         progress_.step("checking", 0.6);
         report_ = analyze(surface_.soup);
         check_surface();
+        if (input_.axes && !arguments_.turned) turn_back(surface_.soup, *input_.axes);
         progress_.step("writing", 0.9);
         write();
         progress_.clear();
@@ -86,7 +89,7 @@ class Reconstruct {
         progress_.step("surface", 0.2);
         const auto start = std::chrono::steady_clock::now();
         try {
-            surface_ = construct_surface(input_.graph, arguments_.surface);
+            surface_ = surface_of_graph(input_.graph, arguments_.surface);
         } catch (const InvalidInput& error) {
             throw InvalidInput(fmt::format("{}: {}", arguments_.input, error.what()));
         }
@@ -94,15 +97,21 @@ class Reconstruct {
     }
 
     void check_surface() const {
-        if (!report_.closed || !report_.manifold || !report_.oriented)
-            throw GeometryError(fmt::format("{}: the surface is no closed, oriented 2-manifold: {}",
-                                            arguments_.input,
+        if (report_.boundary_loops != open_ends() || !report_.manifold || !report_.oriented)
+            throw GeometryError(fmt::format("{}: the surface is no {}, oriented 2-manifold: {}",
+                                            arguments_.input, open_ends() == 0 ? "closed" : "bounded",
                                             report_.problems.empty() ? "" : report_.problems.front()));
         if (report_.self_intersections == 0 || arguments_.allow_crossings) return;
         throw GeometryError(fmt::format(
             "{}: the surface crosses itself at {}:\n{}give contours between those, move them apart or try "
             "another --homotopy; --allow-crossings writes it as it is",
             arguments_.input, counted(report_.self_intersections, "pair") + " of triangles", crossings()));
+    }
+
+    //! Of the graph; the surface has a boundary loop at each.
+    std::size_t open_ends() const {
+        return static_cast<std::size_t>(
+            std::ranges::count(input_.graph.nodes, NodeForm::Open, &EnhancedNode::form));
     }
 
     //! A line each, the first few.
@@ -142,6 +151,7 @@ class Reconstruct {
                                     {"triangles", report_.triangles},
                                     {"components", report_.components},
                                     {"genus", report_.genus.value_or(0)},
+                                    {"boundary_loops", report_.boundary_loops},
                                     {"closed", report_.closed},
                                     {"manifold", report_.manifold},
                                     {"oriented", report_.oriented},
@@ -164,14 +174,19 @@ class Reconstruct {
         fmt::print("enhanced Reeb graph: {}, {}, {}, {}\n", counted(input_.graph.nodes.size(), "node"),
                    counted(input_.graph.edges.size(), "edge"),
                    counted(input_.graph.contours.size(), "contour"), counted(loops_of(input_.graph), "loop"));
-        fmt::print("{}: {} in {}, genus {}, closed, manifold, oriented, {}\n", arguments_.output,
+        fmt::print("{}: {} in {}, genus {}, {}, manifold, oriented, {}\n", arguments_.output,
                    counted(report_.triangles, "triangle"), counted(report_.components, "component"),
-                   report_.genus.value_or(0), counted(report_.self_intersections, "self-intersection"));
+                   report_.genus.value_or(0),
+                   open_ends() == 0 ? "closed" : "open at " + counted(open_ends(), "end"),
+                   counted(report_.self_intersections, "self-intersection"));
         if (surface_.straightened > 0)
             fmt::print("{} where contours were joined straight so that nothing crosses\n",
                        counted(surface_.straightened, "place"));
-        fmt::print("volume {:.10g}, area {:.10g} (input units cubed, squared)\n", report_.volume,
-                   report_.area);
+        if (open_ends() == 0)
+            fmt::print("volume {:.10g}, area {:.10g} (input units cubed, squared)\n", report_.volume,
+                       report_.area);
+        else
+            fmt::print("area {:.10g} (input units squared)\n", report_.area);
     }
 
     const CLI::App& command_;
@@ -231,6 +246,9 @@ void add_reconstruct_command(CLI::App& program) {
     add_stack_options(*command, arguments->stack);
     command->add_option("--picture", arguments->picture, "File for a picture of the surface, .png");
     command->add_option("--graph", arguments->graph, "Contours: file for the graph found in them, .json");
+    command->add_flag(
+        "--turned", arguments->turned,
+        "A graph that was turned: leave its surface so; else it is turned back to where the mesh was");
     command->add_flag("--allow-crossings", arguments->allow_crossings,
                       "Write a surface that crosses itself too");
     command->add_flag("--overwrite", arguments->overwrite, "Replace files that are there");

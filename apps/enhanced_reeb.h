@@ -5,10 +5,10 @@
 
 namespace stratareeb {
 
-//! `reeb MESH --enhanced`: the enhanced Reeb graph of a closed mesh over height along a direction, written and reported. Where
+//! `reeb MESH --enhanced`: the enhanced Reeb graph of a mesh over height along a direction, written and reported. Where
 //! that is not z, the mesh is turned so that it is.
 //! \pre arguments.field is a direction
-//! \throw InvalidInput, IoError; of a plateau with a direction that has none
+//! \throw InvalidInput, IoError
 void run_enhanced_reeb(const ReebArguments& arguments);
 
 }  // namespace stratareeb

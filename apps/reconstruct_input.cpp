@@ -94,10 +94,13 @@ bool is_enhanced_graph_file(const std::string& file) {
 }
 
 ReconstructInput read_reconstruct_input(const std::string& file, const StackOptions& options) {
-    if (is_enhanced_graph_file(file)) return {read_enhanced_graph(file), std::nullopt, {}};
+    if (is_enhanced_graph_file(file)) {
+        EnhancedGraphFile graph = parse_enhanced_graph(file_content(file), file);
+        return {std::move(graph.graph), std::nullopt, graph.axes, {}};
+    }
     const ContourStack contours = read_contour_stack(file, options.read);
     try {
-        ReconstructInput input{{}, graph_of_stack(contours, options.graph), {}};
+        ReconstructInput input{{}, graph_of_stack(contours, options.graph), {}, {}};
         for (const std::uint32_t c : input.stack->source)
             input.sources.push_back(
                 fmt::format("{}, at height {:.10g}", contours.contours[c].name, contours.contours[c].z));

@@ -9,6 +9,7 @@
 
 #include "io/read_contour_stack.h"
 #include "reeb/graph_of_stack.h"
+#include "reeb/plane_frame.h"
 
 namespace stratareeb {
 
@@ -16,6 +17,7 @@ namespace stratareeb {
 struct ReconstructInput {
     EnhancedReebGraph graph;
     std::optional<StackGraph> stack;  // its graph has moved to `graph`; nothing if the file was a graph
+    std::optional<PlaneFrame> axes;   // of a graph that was turned: see EnhancedGraphFile
     std::vector<std::string>
         sources;  // of a stack, by contour of the graph: what the file calls it, and its height
 };

@@ -5,9 +5,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -38,6 +40,7 @@ const std::vector<Form> kContourForms = {{CurveKind::Polyline, {"z", "points"}},
 const std::vector<Form> kEdgeForms = {{CurveKind::Polyline, {"points"}},
                                       {CurveKind::Cardinal, {"points", "tension"}},
                                       {CurveKind::CatmullRom, {"points", "a", "b"}}};
+const Words kNodeForms = {"point", "flat", "open"};
 const Words kHomotopies = {"linear", "parabola", "quadrant", "cardinal", "catmull-rom", "natural-cubic"};
 
 //! The text among some words; a fault names the nearest.
@@ -71,6 +74,27 @@ std::vector<Point3> read_points(const JsonItem& list, const std::optional<double
     std::vector<Point3> points;
     for (const JsonItem& item : list.list("a list of points")) points.push_back(read_point(item, z));
     return points;
+}
+
+NodeForm node_form(std::string_view name) {
+    return name == "flat" ? NodeForm::Flat : name == "open" ? NodeForm::Open : NodeForm::Point;
+}
+
+//! Three unit vectors at right angles, right-handed.
+std::optional<PlaneFrame> read_axes(const JsonItem& item) {
+    const std::vector<Point3> axes = read_points(item);
+    constexpr double kRight = 1e-9;
+    const auto dot = [](const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; };
+    if (axes.size() == 3) {
+        const auto& [u, v, w] = std::tie(axes[0], axes[1], axes[2]);
+        const Point3 across{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+        if (std::abs(dot(u, u) - 1) < kRight && std::abs(dot(v, v) - 1) < kRight &&
+            std::abs(dot(u, v)) < kRight && std::abs(across.x - w.x) < kRight &&
+            std::abs(across.y - w.y) < kRight && std::abs(across.z - w.z) < kRight)
+            return PlaneFrame{u, v, w};
+    }
+    item.expected("three unit vectors at right angles, right-handed: the x, y and z axes");
+    return std::nullopt;
 }
 
 //! The height that stands beside points; 0 where it does and is none, which is a fault already.
@@ -225,7 +249,8 @@ class GraphReader {
             file.fault("there are no nodes and edges, so it is not a graph (a stack of contours?)");
             return {};
         }
-        file.know_keys(Words{"comment", "nodes", "contours", "edges"});
+        file.know_keys(Words{"comment", "axes", "nodes", "contours", "edges"});
+        if (const auto axes = file.find("axes")) result_.axes = read_axes(*axes);
         if (const auto comment = file.find("comment")) result_.comment = comment->text().value_or("");
         for (const JsonItem& item : entries(file, "nodes")) read_node(item);
         for (const JsonItem& item : entries(file, "contours")) read_contour(item);
@@ -242,9 +267,11 @@ class GraphReader {
     void read_node(const JsonItem& item) {
         EnhancedNode& node = result_.graph.nodes.emplace_back();
         if (!item.need_object("a node as an object")) return;
-        item.know_keys(Words{"id", "position"});
+        item.know_keys(Words{"id", "position", "form"});
         node.id = nodes_.add(item);
         if (const auto position = item.need("position")) node.position = read_point(*position);
+        if (const auto form = item.find("form"))
+            if (const auto name = word(*form, kNodeForms)) node.form = node_form(*name);
     }
 
     void read_contour(const JsonItem& item) {

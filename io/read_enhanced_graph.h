@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "reeb/enhanced_reeb_graph.h"
+#include "reeb/plane_frame.h"
 
 namespace stratareeb {
 
@@ -15,7 +17,8 @@ struct ReadGraphOptions {
 
 struct EnhancedGraphFile {
     EnhancedReebGraph graph;
-    std::string comment;  // empty if there is none
+    std::string comment;             // empty if there is none
+    std::optional<PlaneFrame> axes;  // the graph's x, y and z axes, seen from where its surface belongs
 };
 
 //! An enhanced Reeb graph from its JSON text, as docs/graph_format.md has it. `name` stands for the file in messages.

@@ -25,9 +25,10 @@ class GraphText {
  public:
     explicit GraphText(const EnhancedReebGraph& graph) : graph_(graph) {}
 
-    std::string run(std::string_view comment) {
+    std::string run(std::string_view comment, const std::optional<PlaneFrame>& axes) {
         print("{{\n");
         if (!comment.empty()) print(" \"comment\": {},\n", quoted(std::string(comment)));
+        if (axes) print_axes(*axes);
         list("nodes", graph_.nodes, [&](const EnhancedNode& node) { print_node(node); });
         print(",\n");
         list("contours", graph_.contours, [&](const EnhancedContour& contour) { print_contour(contour); });
@@ -103,9 +104,21 @@ class GraphText {
         print("]");
     }
 
+    void print_axes(const PlaneFrame& axes) {
+        print(" \"axes\": [");
+        print_point(axes.u, true);
+        print(", ");
+        print_point(axes.v, true);
+        print(", ");
+        print_point(axes.w, true);
+        print("],\n");
+    }
+
     void print_node(const EnhancedNode& node) {
         print("{{\"id\": {}, \"position\": ", name(node.id));
         print_point(node.position, true);
+        if (node.form != NodeForm::Point)
+            print(", \"form\": \"{}\"", node.form == NodeForm::Flat ? "flat" : "open");
         print("}}");
     }
 
@@ -205,13 +218,14 @@ class GraphText {
 
 }  // namespace
 
-std::string enhanced_graph_text(const EnhancedReebGraph& graph, std::string_view comment) {
-    return GraphText(graph).run(comment);
+std::string enhanced_graph_text(const EnhancedReebGraph& graph, std::string_view comment,
+                                const std::optional<PlaneFrame>& axes) {
+    return GraphText(graph).run(comment, axes);
 }
 
 void write_enhanced_graph(const std::filesystem::path& file, const EnhancedReebGraph& graph,
-                          std::string_view comment) {
-    const std::string text = enhanced_graph_text(graph, comment);
+                          std::string_view comment, const std::optional<PlaneFrame>& axes) {
+    const std::string text = enhanced_graph_text(graph, comment, axes);
     write_aside(file, [&](std::ostream& stream) { stream << text; });
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reeb/enhanced_reeb_graph.h"
 
+#include <algorithm>
+
 #include "mesh/soup_topology.h"
 
 namespace stratareeb {
@@ -8,6 +10,11 @@ namespace stratareeb {
 std::string text_of(const GraphId& id) {
     if (const auto* number = std::get_if<std::int64_t>(&id)) return std::to_string(*number);
     return '"' + std::get<std::string>(id) + '"';
+}
+
+bool has_level_nodes(const EnhancedReebGraph& graph) {
+    return std::ranges::any_of(graph.nodes,
+                               [](const EnhancedNode& node) { return node.form != NodeForm::Point; });
 }
 
 Curve curve_of(const EnhancedReebGraph& graph, const EnhancedEdge& edge) {

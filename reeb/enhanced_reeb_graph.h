@@ -17,9 +17,17 @@ namespace stratareeb {
 using GraphId = std::variant<std::int64_t, std::string>;
 std::string text_of(const GraphId& id);
 
+//! What the surface is like at a node.
+enum class NodeForm {
+    Point,  // a critical point
+    Flat,  // level: its edges' contours stand at its very height, and what an odd number of them lies around is the surface's
+    Open,  // the surface ends in the one contour there
+};
+
 struct EnhancedNode {
     GraphId id;
-    Point3 position;  // of the critical point
+    Point3 position;  // of the critical point; in Flat and Open ones any place of that height
+    NodeForm form = NodeForm::Point;
 
     friend bool operator==(const EnhancedNode&, const EnhancedNode&) = default;
 };
@@ -50,6 +58,9 @@ struct EnhancedReebGraph {
 
     friend bool operator==(const EnhancedReebGraph&, const EnhancedReebGraph&) = default;
 };
+
+//! Does the graph have nodes that are no critical points?
+bool has_level_nodes(const EnhancedReebGraph& graph);
 
 //! An edge's whole curve, from node to node.
 Curve curve_of(const EnhancedReebGraph& graph, const EnhancedEdge& edge);

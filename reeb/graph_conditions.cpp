@@ -13,6 +13,7 @@
 
 #include "boreholes/errors.h"
 #include "mesh/ring_crossings.h"
+#include "mesh/ring_fill.h"
 #include "reeb/arc_length.h"
 #include "reeb/correspondence.h"
 #include "reeb/monotone_edge.h"
@@ -23,8 +24,9 @@ namespace stratareeb {
 
 namespace {
 
-constexpr std::size_t kSamples = 256;      // of a spline, to judge it by
-constexpr double kFlatness = 1e-9;         // of a contour's size: how far from its plane its points may be
+constexpr std::size_t kSamples = 256;  // of a spline, to judge it by
+constexpr double kFlatness = 1e-9;     // of a contour's size: how far from its plane its points may be
+constexpr std::uint32_t kNoNode = ~0u;
 constexpr std::size_t kMostFaults = 1000;  // more than anybody reads
 
 //! A contour as a polygon, with what is asked of it.
@@ -47,10 +49,12 @@ class Judge {
     std::vector<std::string> run() {
         check_names();
         check_nodes();
+        find_level_ends();
         for (std::size_t c = 0; c < outlines_.size(); ++c) judge_contour(c);
         check_membership();
         for (std::size_t e = 0; e < graph_.edges.size(); ++e) judge_edge(e);
         check_level_contours();
+        check_level_nodes();
         check_tilted_contours();
         return std::move(faults_);
     }
@@ -83,6 +87,23 @@ class Judge {
         for (std::uint32_t n = 0; n < graph_.nodes.size(); ++n)
             if (!is_finite(graph_.nodes[n].position))
                 fault("{}: its position is not made of numbers", node_name(n));
+    }
+
+    //! Which contours are to stand at the height of a flat or open node.
+    void find_level_ends() {
+        level_node_.assign(graph_.contours.size(), kNoNode);
+        const auto note = [&](std::uint32_t node, std::uint32_t contour) {
+            if (graph_.nodes[node].form != NodeForm::Point) level_node_[contour] = node;
+        };
+        for (const EnhancedEdge& edge : graph_.edges) {
+            if (edge.contours.empty()) continue;
+            note(edge.from, edge.contours.front());
+            note(edge.to, edge.contours.back());
+        }
+    }
+
+    bool is_at_flat_node(std::size_t c) const {
+        return level_node_[c] != kNoNode && graph_.nodes[level_node_[c]].form == NodeForm::Flat;
     }
 
     void judge_contour(std::size_t c) {
@@ -128,6 +149,7 @@ class Judge {
     }
 
     void check_simple(std::size_t c, const Outline& outline) {
+        if (is_at_flat_node(c)) return;  // see check_flat_node
         const std::vector<std::vector<Point2>> ring{
             in_plane(outline, outline.is_level() ? PlaneFrame{} : plane_frame(outline.normal))};
         for (const RingCrossing& crossing : ring_crossings(ring)) {
@@ -191,7 +213,7 @@ class Judge {
     }
 
     bool may_stand_at(std::uint32_t n, std::uint32_t c) const {
-        return edges_at_[n] == 1 || passes_through(c, n);
+        return edges_at_[n] == 1 || graph_.nodes[n].form != NodeForm::Point || passes_through(c, n);
     }
 
     bool passes_through(std::size_t c, std::uint32_t n) const {
@@ -212,12 +234,63 @@ class Judge {
             std::set<std::pair<std::uint32_t, std::uint32_t>> told;
             for (const RingCrossing& crossing : ring_crossings(rings)) {
                 const std::uint32_t a = contours[crossing.ring], b = contours[crossing.other_ring];
-                if (a == b || meet_in_node(*outlines_[a], *outlines_[b], crossing) ||
-                    !told.insert({a, b}).second)
+                if (a == b || (is_at_flat_node(a) && is_at_flat_node(b)) ||
+                    meet_in_node(*outlines_[a], *outlines_[b], crossing) || !told.insert({a, b}).second)
                     continue;
                 fault("{} and {} meet at height {:.7g} near ({:.7g}, {:.7g})", contour_name(a),
                       contour_name(b), z, crossing.place.x, crossing.place.y);
             }
+        }
+    }
+
+    void check_level_nodes() {
+        std::vector<std::vector<std::uint32_t>> contours(graph_.nodes.size());
+        for (const EnhancedEdge& edge : graph_.edges)
+            for (const bool is_top : {false, true}) {
+                const std::uint32_t n = is_top ? edge.to : edge.from;
+                if (graph_.nodes[n].form == NodeForm::Point || edge.contours.empty()) continue;
+                const std::uint32_t c = is_top ? edge.contours.back() : edge.contours.front();
+                contours[n].push_back(c);
+                check_level_end(n, c);
+            }
+        for (std::uint32_t n = 0; n < contours.size(); ++n) {
+            if (graph_.nodes[n].form == NodeForm::Flat) check_flat_node(n, contours[n]);
+            if (graph_.nodes[n].form == NodeForm::Open && edges_at_[n] > 1)
+                fault("{}: it is open, and {} edges start or end there; an open end has one", node_name(n),
+                      edges_at_[n]);
+        }
+    }
+
+    void check_level_end(std::uint32_t n, std::uint32_t c) {
+        if (!outlines_[c]) return;
+        const double z = graph_.nodes[n].position.z;
+        const auto off =
+            std::ranges::find_if(outlines_[c]->points, [&](const Point3& p) { return p.z != z; });
+        if (off == outlines_[c]->points.end()) return;
+        fault("{}: it is {}, so {}, the last there, has to stand at its height, {:.10g}, not at {:.10g}",
+              node_name(n), graph_.nodes[n].form == NodeForm::Flat ? "flat" : "open", contour_name(c), z,
+              off->z);
+    }
+
+    //! Contours at a flat node may meet in corners and along whole sides; they may not cross.
+    void check_flat_node(std::uint32_t n, const std::vector<std::uint32_t>& contours) {
+        if (!std::ranges::all_of(contours, [&](std::uint32_t c) { return outlines_[c].has_value(); })) return;
+        std::map<std::pair<double, double>, std::uint32_t> number;
+        std::vector<Point2> corners;
+        std::vector<std::vector<std::uint32_t>> rings;
+        for (const std::uint32_t c : contours) {
+            rings.emplace_back();
+            for (const Point3& p : outlines_[c]->points) {
+                const auto [at, is_new] =
+                    number.try_emplace({p.x, p.y}, static_cast<std::uint32_t>(corners.size()));
+                if (is_new) corners.push_back({p.x, p.y});
+                rings.back().push_back(at->second);
+            }
+        }
+        try {
+            ring_fill(corners, rings);
+        } catch (const InvalidInput& error) {
+            fault("{}: its contours cross: {}", node_name(n), error.what());
         }
     }
 
@@ -271,8 +344,10 @@ class Judge {
     }
 
     const EnhancedReebGraph& graph_;
-    std::vector<std::optional<Outline>> outlines_;         // of sound contours
-    std::vector<int> edges_at_;                            // by node
+    std::vector<std::optional<Outline>> outlines_;  // of sound contours
+    std::vector<std::uint32_t>
+        level_node_;             // by contour: the flat or open node at whose height it is to stand
+    std::vector<int> edges_at_;  // by node
     std::set<std::tuple<double, double, double>> places_;  // of nodes
     std::vector<std::string> faults_;
 };

@@ -15,7 +15,9 @@ namespace stratareeb {
 //! - contours are planar, simple closed curves, all counter-clockwise seen from above;
 //! - they stand in order of height between their edge's nodes. One at the height of a node passes through it, or closes the surface flat there if
 //!   the node has no other edge;
-//! - no two contours meet, nor does one touch itself, but in a node that they pass through.
+//! - no two contours meet, nor does one touch itself, but in a node that they pass through, and in corners or along whole sides at a
+//!   flat one;
+//! - contours next to a flat or open node stand at its very height, and an open one has one edge.
 //! Splines are judged by polygons on them.
 std::vector<std::string> faults_of(const EnhancedReebGraph& graph);
 

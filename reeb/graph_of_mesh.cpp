@@ -10,27 +10,23 @@
 #include <optional>
 
 #include "boreholes/errors.h"
+#include "mesh/analysis.h"
 #include "mesh/ring_crossings.h"
-#include "reeb/arc_index.h"
 #include "reeb/contour_alignment.h"
-#include "reeb/contour_trace.h"
 #include "reeb/correspondence.h"
+#include "reeb/cut_crossings.h"
+#include "reeb/filled_boundaries.h"
 #include "reeb/homotopy.h"
+#include "reeb/level_pieces.h"
+#include "reeb/level_set.h"
+#include "reeb/mesh_contours.h"
 #include "reeb/monotone_edge.h"
-#include "reeb/point_math.h"
+#include "reeb/reeb_graph.h"
+#include "reeb/sweep_graph.h"
 
 namespace stratareeb {
 
 namespace {
-
-struct LevelContour {
-    double z = 0;
-    std::vector<Point3> points;  // counter-clockwise seen from above
-};
-
-double twice_area(const std::vector<Point3>& points) {
-    return area_vector(points).z;
-}
 
 //! Distance in plan from some points of one contour to the line of another.
 double deviation(const std::vector<Point3>& from, const std::vector<Point3>& to) {
@@ -51,132 +47,144 @@ double deviation(const std::vector<Point3>& from, const std::vector<Point3>& to)
     return furthest;
 }
 
+using Contours = std::vector<LevelContour>;
+
 class GraphOfMesh {
  public:
-    GraphOfMesh(const TriMesh& mesh, const MeshGraphOptions& options)
-        : mesh_(mesh),
-          options_(options),
+    GraphOfMesh(const TriMesh& mesh, std::size_t first_filled, const MeshGraphOptions& options)
+        : options_(options),
+          first_filled_(first_filled),
           field_(height_field(mesh)),
           graph_(reeb_graph(mesh, field_)),
-          index_(mesh, field_, graph_),
-          levels_(even_levels(field_, options.levels)) {
-        check();
-        for (const auto v : mesh.vertices()) {
-            const auto offset = mesh.point(v) - mesh.point(TriMesh::VertexHandle(0));
-            least_step_ = std::max(least_step_, kLeastStep * offset.length());
-        }
-        for (const double value : field_) fallen_.push_back(-value);
-    }
+          sweep_(sweep_graph(mesh, field_, graph_)),
+          mesh_contours_(mesh, field_, graph_),
+          levels_(even_levels(field_, options.levels)) {}
 
     EnhancedReebGraph run() {
-        for (const ReebNode& node : graph_.nodes) {
+        for (const SweepNode& node : sweep_.nodes) {
             result_.nodes.emplace_back().id = static_cast<std::int64_t>(node.vertex);
-            result_.nodes.back().position = place(node);
+            result_.nodes.back().position = mesh_contours_.place(node.vertex);
         }
-        std::vector<std::vector<LevelContour>> arcs(graph_.arcs.size());
-        tbb::parallel_for(std::size_t{0}, arcs.size(),
-                          [&](std::size_t a) { arcs[a] = contours_of(static_cast<std::uint32_t>(a)); });
-        add_contours_at_saddles(arcs);
-        for (std::uint32_t a = 0; a < arcs.size(); ++a) add_edge(a, std::move(arcs[a]));
+        contours_.resize(sweep_.edges.size());
+        for (std::uint32_t n = 0; n < sweep_.nodes.size(); ++n) make_level_node(n);
+        tbb::parallel_for(std::size_t{0}, contours_.size(), [&](std::size_t e) { add_contours_within(e); });
+        add_contours_at_saddles();
+        for (std::uint32_t e = 0; e < contours_.size(); ++e) add_edge(e);
         return std::move(result_);
     }
 
  private:
-    Point3 place(const ReebNode& node) const {
-        const auto& p = mesh_.point(TriMesh::VertexHandle(static_cast<int>(node.vertex)));
-        return {p[0], p[1], p[2]};
+    const SweepNode& lower_node(const SweepEdge& edge) const { return sweep_.nodes[edge.lower]; }
+    const SweepNode& upper_node(const SweepEdge& edge) const { return sweep_.nodes[edge.upper]; }
+
+    std::size_t filled_triangles(const SweepNode& node) const {
+        return static_cast<std::size_t>(std::ranges::count_if(
+            node.level_triangles, [&](std::uint32_t triangle) { return triangle >= first_filled_; }));
     }
 
-    void check() const {
-        for (const auto e : mesh_.edges())
-            if (mesh_.is_boundary(e)) {
-                const auto& p = mesh_.point(mesh_.to_vertex_handle(mesh_.halfedge_handle(e, 0)));
-                throw InvalidInput(
-                    fmt::format("the mesh has a boundary at ({:.7g}, {:.7g}, {:.7g}); a graph with contours "
-                                "needs a closed surface",
-                                p[0], p[1], p[2]));
-            }
-        for (const ReebArc& arc : graph_.arcs) {
-            const ReebNode &lower = graph_.nodes[arc.lower], &upper = graph_.nodes[arc.upper];
-            if (lower.value < upper.value) continue;
-            const Point3 p = place(lower);
-            throw InvalidInput(fmt::format(
-                "critical points {} and {} have one height, {:.7g}, on a plateau at ({:.7g}, {:.7g}); "
-                "turn the mesh a little, or sweep along a slightly tilted direction",
-                lower.vertex, upper.vertex, lower.value, p.x, p.y));
+    //! Flat where the mesh is level, or where a level contour passes several critical points; open where it was.
+    void make_level_node(std::uint32_t n) {
+        const SweepNode& node = sweep_.nodes[n];
+        const bool is_leaf = node.down.size() + node.up.size() == 1;
+        const std::size_t filled = filled_triangles(node);
+        if (filled > 0 && (!is_leaf || filled < node.level_triangles.size())) refuse_open_part(node);
+        const bool is_crowded = node.down.size() > 1 && node.up.size() > 1;
+        const bool is_needed = !node.level_triangles.empty() || (node.is_plateau && !is_leaf);
+        if (!is_needed && !is_crowded) return;
+        Contours contours;
+        for (const std::uint32_t e : node.down)
+            contours.push_back(mesh_contours_.at(sweep_.edges[e], node.value));
+        for (const std::uint32_t e : node.up)
+            contours.push_back(mesh_contours_.above_lower_end(sweep_.edges[e]));
+        mesh_contours_.join_points(contours);
+        if (!fit_together(contours))
+            for (LevelContour& contour : contours) make_sound(contour);
+        if (!fit_together(contours)) {
+            if (is_needed && !(is_leaf && filled == 0)) refuse_plateau(node);
+            return;  // a point then
         }
+        result_.nodes[n].form = filled > 0 ? NodeForm::Open : NodeForm::Flat;
+        std::size_t next = 0;
+        for (const std::uint32_t e : node.down) contours_[e].push_back(std::move(contours[next++]));
+        for (const std::uint32_t e : node.up)
+            contours_[e].insert(contours_[e].begin(), std::move(contours[next++]));
     }
 
-    LevelContour contour_at(std::uint32_t arc, double z) const {
-        LevelContour contour{z, index_.contour(arc, z).points};
-        settle(contour);
-        return contour;
-    }
-
-    //! Level, counter-clockwise, without points that rounding can't tell apart, but for `kept`.
-    void settle(LevelContour& contour, const Point3* kept = nullptr) const {
-        const auto are_one = [&](const Point3& a, const Point3& b) {
-            return std::abs(a.x - b.x) <= least_step_ && std::abs(a.y - b.y) <= least_step_;
-        };
-        std::vector<Point3> points;
-        for (Point3 p : contour.points) {
-            p.z = contour.z;
-            if (points.empty() || !are_one(points.back(), p))
-                points.push_back(p);
-            else if (kept && p == *kept)
-                points.back() = p;
+    //! Can surface_of_graph join them?
+    static bool fit_together(const Contours& contours) {
+        std::vector<std::vector<Point3>> rings;
+        for (const LevelContour& contour : contours) {
+            if (contour.points.size() < 3 || !(area_vector(contour.points).z > 0)) return false;
+            rings.push_back(contour.points);
         }
-        while (points.size() > 1 && are_one(points.front(), points.back())) {
-            if (kept && points.back() == *kept) points.front() = points.back();
-            points.pop_back();
-        }
-        contour.points = std::move(points);
-        if (contour.points.size() > 2 && twice_area(contour.points) < 0) std::ranges::reverse(contour.points);
+        return fit_at_level_node(rings);
     }
 
-    static bool is_sound(const LevelContour& contour, bool may_touch = false) {
-        if (contour.points.size() < 3 || !(twice_area(contour.points) > 0)) return false;
-        std::vector<std::vector<Point2>> ring(1);
-        for (const Point3& p : contour.points) ring[0].push_back({p.x, p.y});
-        return ring_crossings(ring, {.shared_corners = may_touch, .most = 1}).empty();
+    //! A small part by which it crosses itself is cut off.
+    static bool make_sound(LevelContour& contour) {
+        return is_sound(contour) || (cut_crossings(contour.points, kMostCut) && is_sound(contour));
     }
 
-    std::vector<LevelContour> contours_of(std::uint32_t arc) const {
-        const double low = graph_.nodes[graph_.arcs[arc].lower].value,
-                     high = graph_.nodes[graph_.arcs[arc].upper].value;
-        std::vector<LevelContour> contours;
+    [[noreturn]] void refuse_plateau(const SweepNode& node) const {
+        const Point3 p = mesh_contours_.place(node.vertex);
+        throw InvalidInput(
+            fmt::format("critical points on a level contour or plateau at ({:.7g}, {:.7g}, {:.7g}) can't be "
+                        "told apart; turn "
+                        "the mesh a little, or sweep along a slightly tilted direction",
+                        p.x, p.y, p.z));
+    }
+
+    [[noreturn]] void refuse_open_part(const SweepNode& node) const {
+        const Point3 p = mesh_contours_.place(node.vertex);
+        throw InvalidInput(
+            fmt::format("the boundary at ({:.7g}, {:.7g}, {:.7g}) is not the end of a tube: the surface goes "
+                        "on at its height, or "
+                        "both up and down from there; close it, or cut the mesh elsewhere",
+                        p.x, p.y, p.z));
+    }
+
+    void add_contours_within(std::size_t e) {
+        const SweepEdge& edge = sweep_.edges[e];
+        const double low = lower_node(edge).value, high = upper_node(edge).value;
         const double margin = kNearNode * (high - low);
+        Contours& ends = contours_[e];
+        Contours contours;
         const auto add = [&](double z) {
             if (!(low + margin < z && z < high - margin)) return;
-            LevelContour contour = contour_at(arc, z);
-            if (is_sound(contour)) contours.push_back(std::move(contour));
+            LevelContour contour = mesh_contours_.at(edge, z);
+            if (make_sound(contour)) contours.push_back(std::move(contour));
         };
         for (const double z : levels_) add(z);
         for (double share = 0.5; contours.empty() && share > 1e-3; share /= 2) {
             add(low + share * (high - low));
             if (contours.empty()) add(high - share * (high - low));
         }
-        if (contours.empty())
-            throw InvalidInput(
-                fmt::format("between heights {:.7g} and {:.7g} a part of the mesh near ({:.7g}, {:.7g}) has "
-                            "no contour that "
-                            "is a simple curve; does the mesh cross itself there?",
-                            low, high, place(graph_.nodes[graph_.arcs[arc].lower]).x,
-                            place(graph_.nodes[graph_.arcs[arc].lower]).y));
-        if (options_.tolerance > 0) refine(arc, contours);
-        return contours;
+        if (contours.empty() && ends.empty()) refuse_edge(edge);
+        for (LevelContour& end : ends)
+            contours.insert(end.z == low ? contours.begin() : contours.end(), std::move(end));
+        ends = std::move(contours);
+        if (options_.tolerance > 0) refine(edge, ends);
+    }
+
+    [[noreturn]] void refuse_edge(const SweepEdge& edge) const {
+        const SweepNode &lower = lower_node(edge), &upper = upper_node(edge);
+        const Point3 p = mesh_contours_.place(lower.vertex);
+        throw InvalidInput(
+            fmt::format("between heights {:.7g} and {:.7g} a part of the mesh near ({:.7g}, {:.7g}) has no "
+                        "contour that is a simple curve; does the mesh cross itself there?",
+                        lower.value, upper.value, p.x, p.y));
     }
 
     //! Between neighbours, half way, until that is near enough to what the homotopy makes there.
-    void refine(std::uint32_t arc, std::vector<LevelContour>& contours) const {
+    void refine(const SweepEdge& edge, Contours& contours) const {
         for (std::size_t k = 0; k + 1 < contours.size() && contours.size() < options_.most_per_arc;) {
             const double z = contours[k].z + 0.5 * (contours[k + 1].z - contours[k].z);
             if (!(contours[k].z < z && z < contours[k + 1].z)) {
                 ++k;
                 continue;
             }
-            LevelContour middle = contour_at(arc, z);
-            if (!is_sound(middle) ||
+            LevelContour middle = mesh_contours_.at(edge, z);
+            if (!make_sound(middle) ||
                 deviation(middle.points, made_between(contours, k)) <= options_.tolerance)
                 ++k;
             else
@@ -185,7 +193,7 @@ class GraphOfMesh {
     }
 
     //! Half way from contour k to the next, by the contours around.
-    std::vector<Point3> made_between(const std::vector<LevelContour>& contours, std::size_t k) const {
+    std::vector<Point3> made_between(const Contours& contours, std::size_t k) const {
         const std::size_t first = k > 0 ? k - 1 : 0, last = std::min(k + 2, contours.size() - 1);
         std::vector<SampledContour> shapes;
         std::vector<double> heights;
@@ -198,42 +206,36 @@ class GraphOfMesh {
             .points;
     }
 
-    void add_contours_at_saddles(std::vector<std::vector<LevelContour>>& arcs) const {
-        std::vector<std::vector<std::uint32_t>> down(graph_.nodes.size()), up(graph_.nodes.size());
-        for (std::uint32_t a = 0; a < arcs.size(); ++a) {
-            up[graph_.arcs[a].lower].push_back(a);
-            down[graph_.arcs[a].upper].push_back(a);
-        }
-        for (std::uint32_t n = 0; n < graph_.nodes.size(); ++n) {
-            if (down[n].empty() || up[n].empty()) continue;
-            bool from_below = down[n].size() >= up[n].size();
-            auto through = contours_through(graph_.nodes[n], from_below ? down[n] : up[n], from_below);
+    void add_contours_at_saddles() {
+        for (std::uint32_t n = 0; n < sweep_.nodes.size(); ++n) {
+            const SweepNode& node = sweep_.nodes[n];
+            if (node.down.empty() || node.up.empty() || result_.nodes[n].form != NodeForm::Point) continue;
+            bool from_below = node.down.size() >= node.up.size();
+            auto through = contours_through(node, from_below);
             if (!through) {
                 from_below = !from_below;
-                through = contours_through(graph_.nodes[n], from_below ? down[n] : up[n], from_below);
+                through = contours_through(node, from_below);
             }
             if (!through) continue;
-            const auto& side = from_below ? down[n] : up[n];
+            const auto& side = from_below ? node.down : node.up;
             for (std::size_t i = 0; i < side.size(); ++i) {
-                auto& contours = arcs[side[i]];
+                Contours& contours = contours_[side[i]];
                 contours.insert(from_below ? contours.end() : contours.begin(), (*through)[i]);
             }
         }
     }
 
-    //! The contours of all arcs on one side of a saddle, at its height, if they pass through it twice or oftener in all and meet
-    //! nowhere else.
-    std::optional<std::vector<LevelContour>> contours_through(const ReebNode& node,
-                                                              const std::vector<std::uint32_t>& arcs,
-                                                              bool from_below) const {
-        std::vector<LevelContour> contours;
+    //! The contours of all edges on one side of a saddle, at its height, if they pass through it twice or oftener in all and
+    //! meet nowhere else.
+    std::optional<Contours> contours_through(const SweepNode& node, bool from_below) const {
+        const Point3 critical = mesh_contours_.place(node.vertex);
+        Contours contours;
         std::vector<std::vector<Point2>> rings;
         std::ptrdiff_t visits = 0;
-        for (const std::uint32_t a : arcs) {
-            LevelContour contour{
-                node.value, from_below ? index_.contour(a, node.value).points : points_above(a, node.value)};
-            const Point3 critical = place(node);
-            settle(contour, &critical);
+        for (const std::uint32_t e : from_below ? node.down : node.up) {
+            const SweepEdge& edge = sweep_.edges[e];
+            LevelContour contour = from_below ? mesh_contours_.at(edge, node.value, &critical)
+                                              : mesh_contours_.above_lower_end(edge, &critical);
             const auto own = std::ranges::count(contour.points, critical);
             if (!is_sound(contour, true) || own == 0) return std::nullopt;
             visits += own;
@@ -246,26 +248,24 @@ class GraphOfMesh {
         return contours;
     }
 
-    //! The contour just above an arc's lower node: the level set of the field turned upside down, just below it there.
-    std::vector<Point3> points_above(std::uint32_t arc, double z) const {
-        return trace_contour(mesh_, fallen_, -z, mesh_.opposite_halfedge_handle(index_.crossed_above(arc, z)))
-            .points;
+    bool is_leaf_point(std::uint32_t n) const {
+        const SweepNode& node = sweep_.nodes[n];
+        return result_.nodes[n].form == NodeForm::Point && node.down.size() + node.up.size() == 1;
     }
 
-    void add_edge(std::uint32_t arc, std::vector<LevelContour> contours) {
-        EnhancedEdge edge{.from = graph_.arcs[arc].lower,
-                          .to = graph_.arcs[arc].upper,
+    void add_edge(std::uint32_t e) {
+        EnhancedEdge edge{.from = sweep_.edges[e].lower,
+                          .to = sweep_.edges[e].upper,
                           .curve = {},
                           .contours = {},
                           .homotopy = {}};
         edge.homotopy.kind = options_.homotopy;
         // A spline would swing out beside a saddle, where the last centre is far from the node.
-        const bool between_leaves = graph_.nodes[edge.from].type == CriticalType::Minimum &&
-                                    graph_.nodes[edge.to].type == CriticalType::Maximum;
+        const bool between_leaves = is_leaf_point(edge.from) && is_leaf_point(edge.to);
         edge.curve.kind = between_leaves ? CurveKind::Cardinal : CurveKind::Polyline;
-        for (LevelContour& contour : contours) {
-            const bool at_node =
-                contour.z == graph_.nodes[edge.from].value || contour.z == graph_.nodes[edge.to].value;
+        for (LevelContour& contour : contours_[e]) {
+            const bool at_node = contour.z == lower_node(sweep_.edges[e]).value ||
+                                 contour.z == upper_node(sweep_.edges[e]).value;
             if (!at_node) {
                 edge.curve.points.push_back(mean_point(contour_by_perimeter(contour.points)));
                 edge.curve.points.back().z = contour.z;
@@ -280,25 +280,26 @@ class GraphOfMesh {
         result_.edges.push_back(std::move(edge));
     }
 
-    static constexpr double kLeastStep =
-        1e-11;  // of the mesh's size: points of a contour closer than that are one
-    static constexpr double kNearNode = 1e-6;  // of an arc's height: no contour is closer to its ends
+    static constexpr double kMostCut = 0.05;   // of a contour's length
+    static constexpr double kNearNode = 1e-6;  // of an edge's height: no contour within is closer to its ends
 
-    const TriMesh& mesh_;
     const MeshGraphOptions& options_;
-    double least_step_ = 0;
+    const std::size_t first_filled_;  // triangle, of those that close the mesh's boundaries
     const ScalarField field_;
-    ScalarField fallen_;  // heights with the other sign
     const ReebGraph graph_;
-    const ArcIndex index_;
+    const SweepGraph sweep_;
+    const MeshContours mesh_contours_;
     const std::vector<double> levels_;
+    std::vector<Contours> contours_;  // by edge, bottom to top
     EnhancedReebGraph result_;
 };
 
 }  // namespace
 
 EnhancedReebGraph graph_of_mesh(const TriMesh& mesh, const MeshGraphOptions& options) {
-    return GraphOfMesh(mesh, options).run();
+    if (is_closed(mesh)) return GraphOfMesh(mesh, mesh.n_faces(), options).run();
+    const TriMesh filled = filled_boundaries(mesh);
+    return GraphOfMesh(filled, mesh.n_faces(), options).run();
 }
 
 }  // namespace stratareeb

@@ -18,10 +18,14 @@ struct MeshGraphOptions {
     HomotopyKind homotopy = HomotopyKind::Cardinal;
 };
 
-//! The enhanced Reeb graph of a closed surface over height z: nodes at its critical points, contours at levels of each arc, edges through
+//! The enhanced Reeb graph of a surface over height z: nodes at its critical points, contours at levels of each arc, edges through
 //! their centres. Where contours meet in a saddle, those of the side that has more of them are given at its very height,
-//! through it. From there on the graph stands for itself: reeb/surface_construction makes a surface of it.
-//! \throw InvalidInput if the mesh has a boundary, or two nodes that an arc joins have one height (a plateau: turn the mesh a little), naming the place.
+//! through it. Where the surface is level, or a level contour passes several critical points, the node is flat and all contours next to it
+//! are given at its height; shelves on which no contour merges or splits are such nodes too. Level boundary loops at the ends of tubes become
+//! open nodes. Small parts by which a contour crosses itself are cut off. From there on the graph stands for itself:
+//! reeb/surface_of_graph makes a surface of it.
+//! \throw InvalidInput, naming the place and the way out: if a boundary is not level or not the end of a tube, a whole component is level, or
+//! the mesh crosses itself so that contours do.
 EnhancedReebGraph graph_of_mesh(const TriMesh& mesh, const MeshGraphOptions& options = {});
 
 }  // namespace stratareeb

@@ -106,7 +106,7 @@ TEST_F(ReconstructCommand, meshes_come_back_from_their_enhanced_graphs) {
         const Json graph = json_of(fmt::format("reeb {0}.ply --enhanced --levels 60 --field {1} -o {0}.json",
                                                shape.name, shape.field));
         EXPECT_EQ(graph["turned"], shape.field != "z");
-        const Json back = json_of(fmt::format("reconstruct {0}.json -o {0}_back.ply", shape.name));
+        const Json back = json_of(fmt::format("reconstruct {0}.json -o {0}_back.ply --turned", shape.name));
         expect_sound(back, shape.name);
         EXPECT_EQ(back["genus"], shape.genus) << shape.name;
         EXPECT_EQ(back["nodes"], graph["nodes"]) << shape.name;
@@ -119,10 +119,50 @@ TEST_F(ReconstructCommand, meshes_come_back_from_their_enhanced_graphs) {
     }
 }
 
+TEST_F(ReconstructCommand, turned_meshes_come_back_to_their_place) {
+    TriangleSoup torus = shapes::moved(shapes::torus(3, 1, 96, 48), 100, -50, 20);
+    write("torus.ply", torus);
+    json_of("reeb torus.ply --enhanced --levels 60 --field -0.3,1,-0.2 -o torus.json");
+    json_of("reconstruct torus.json -o back.ply");
+    const MeshReport before = analyze(torus), after = analyze(read_mesh(folder_ / "back.ply"));
+    EXPECT_TRUE(after.watertight);
+    for (const auto& [a, b] : {std::pair{before.box_min, after.box_min}, {before.box_max, after.box_max}}) {
+        EXPECT_NEAR(a.x, b.x, 0.05);
+        EXPECT_NEAR(a.y, b.y, 0.05);
+        EXPECT_NEAR(a.z, b.z, 0.05);
+    }
+}
+
+TEST_F(ReconstructCommand, level_faces_come_back_exactly) {
+    write("plate.ply", shapes::plate_with_holes(2));
+    const Json graph = json_of("reeb plate.ply --enhanced --levels 4 -o plate.json");
+    EXPECT_EQ(graph["flat_nodes"], 2);
+    const Json back = json_of("reconstruct plate.json -o back.ply");
+    expect_sound(back, "plate");
+    EXPECT_EQ(back["genus"], graph["loops"]);
+    EXPECT_NEAR(double(back["volume"]), analyze(shapes::plate_with_holes(2)).volume, 1e-4);
+}
+
+TEST_F(ReconstructCommand, open_tubes_come_back_open) {
+    const TriangleSoup tube = shapes::cylinder(32, 1, 3);
+    write("tube.ply", tube);
+    const Json graph = json_of("reeb tube.ply --enhanced --levels 4 -o tube.json");
+    EXPECT_EQ(graph["open_nodes"], 2);
+    const Json back = json_of("reconstruct tube.json -o back.ply");
+    EXPECT_EQ(back["closed"], false);
+    EXPECT_EQ(back["boundary_loops"], 2);
+    EXPECT_EQ(back["manifold"], true);
+    EXPECT_NEAR(double(back["area"]), analyze(tube, {.self_intersections = false}).area, 1e-4);
+    const ProgramResult text = run("reconstruct tube.json -o again.ply");
+    EXPECT_NE(text.out.find("open at 2 ends"), std::string::npos) << text.out;
+    write("disc.ply", shapes::terrain(4));
+    EXPECT_NE(refusal("reeb disc.ply --enhanced").find("not level"), std::string::npos);
+}
+
 TEST_F(ReconstructCommand, torus_comes_back_from_its_contours) {
     write("torus.ply", shapes::torus(3, 1, 60, 30));
     ASSERT_EQ(run("reeb torus.ply --enhanced --field 1,0.1,0.05 -o turned.json").exit_code, 0);
-    ASSERT_EQ(run("reconstruct turned.json -o turned.ply").exit_code, 0);  // standing upright
+    ASSERT_EQ(run("reconstruct turned.json -o turned.ply --turned").exit_code, 0);  // standing upright
     ASSERT_EQ(run("levels turned.ply --count 30 -o stack.json").exit_code, 0);
     const Json report = json_of("reconstruct stack.json -o back.ply --graph graph.json");
     expect_sound(report, "torus");

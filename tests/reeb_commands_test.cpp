@@ -221,25 +221,21 @@ TEST_F(ReebCommands, enhanced_graphs_stand_in_turned_coordinates) {
     EXPECT_EQ(run("reeb torus.ply --enhanced -o g.json").exit_code, 1) << "is there already";
 }
 
-TEST_F(ReebCommands, enhanced_graphs_of_plateaus_and_open_meshes_are_refused) {
-    TriangleSoup soup = shapes::torus(3, 1, 24, 12);
-    for (Point3& p : soup.points) p = {p.z, p.x, p.y};  // its axis is x
-    const TriMesh wheel = half_edge_mesh(soup), open = half_edge_mesh(shapes::terrain(10));
-    write_mesh(file("wheel.ply"), {"wheel", "", &wheel});
+TEST_F(ReebCommands, enhanced_graphs_have_level_parts_and_refuse_open_contours) {
+    const TriMesh open = half_edge_mesh(shapes::terrain(10)),
+                  tube = half_edge_mesh(shapes::cylinder(12, 1, 2));
     write_mesh(file("open.ply"), {"open", "", &open});
-    const auto level = run("reeb torus.ply --enhanced -o g.json");  // it lies on its side
-    EXPECT_EQ(level.exit_code, 1);
-    EXPECT_NE(level.err.find("plateau"), std::string::npos);
-    EXPECT_NE(level.err.find("--field 0.001,0.0007,1"), std::string::npos) << level.err;
-    EXPECT_EQ(run("reeb torus.ply --enhanced --field 0.001,0.0007,1 -o g.json").exit_code, 0);
-    const auto side = run("reeb wheel.ply --enhanced --field x");
-    EXPECT_EQ(side.exit_code, 1);
-    EXPECT_NE(side.err.find("--field 1,"), std::string::npos) << side.err;
+    write_mesh(file("tube.ply"), {"tube", "", &tube});
+    const auto lying = run("reeb torus.ply --enhanced --json -o g.json");  // two level rings, below and above
+    ASSERT_EQ(lying.exit_code, 0) << lying.err;
+    EXPECT_EQ(nlohmann::json::parse(lying.out)["flat_nodes"], 2);
+    EXPECT_EQ(parsed(file("g.json"))["nodes"][0]["form"], "flat");
+    EXPECT_NE(run("reeb tube.ply --enhanced").out.find("2 nodes where it ends in a boundary"),
+              std::string::npos);
     const auto boundary = run("reeb open.ply --enhanced");
     EXPECT_EQ(boundary.exit_code, 1);
-    EXPECT_NE(boundary.err.find("boundary"), std::string::npos);
-    EXPECT_EQ(boundary.err.find("--field"), std::string::npos);
-    EXPECT_EQ(run("reeb wheel.ply --enhanced --field 0,0,0").exit_code, 1);
+    EXPECT_NE(boundary.err.find("open.ply: the mesh has a boundary at"), std::string::npos);
+    EXPECT_EQ(run("reeb torus.ply --enhanced --field 0,0,0").exit_code, 1);
 }
 
 TEST_F(ReebCommands, fields_come_from_distances_files_and_properties) {
