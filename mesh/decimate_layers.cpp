@@ -64,10 +64,19 @@ class Decimation {
                 if (progress && ++steps_ % kReportEvery == 0)
                     progress(1 - static_cast<double>(plan_.triangles() - target) / start);
             }
+            for (const Vertex v : plan_.mesh().vertices())
+                if (plan_.triangles() > target) any |= take_with_turns(v);
         }
     }
 
  private:
+    //! Turn edges away from a vertex until it can go, or no more can be turned.
+    bool take_with_turns(Vertex v) {
+        while (plan_.turn_edge_away(v))
+            if (const auto choice = plan_.best(v)) return plan_.collapse(choice->into), true;
+        return false;
+    }
+
     // Where nothing is lost, short edges go first, which leaves triangles of one size; the number breaks ties.
     using Cost = std::tuple<double, double, int>;
 
@@ -195,8 +204,9 @@ DecimatedLayers decimate_layers(const LayerModel& model, const DecimateLayersOpt
     const double size = size_of(model);
     PlanCollapse plan(model, limits_of(model, options, size));
     Decimation(plan, kRounding * size).run(target, options.progress);
-    result.model = plan.triangles() < result.triangles_before ? reduced(model, plan.mesh()) : model;
-    result.deviation = plan.deviation();
+    const bool any = plan.triangles() < result.triangles_before;  // turned edges alone are no gain
+    result.model = any ? reduced(model, plan.mesh()) : model;
+    result.deviation = any ? plan.deviation() : 0;
     result.target_reached = !options.triangles || plan.triangles() <= target;
     result.note = note_of(result, options);
     if (options.progress) options.progress(1);

@@ -197,18 +197,24 @@ std::vector<PlanCollapse::Corners> PlanCollapse::fan_of(Halfedge into, std::vect
     return fan;
 }
 
+bool PlanCollapse::is_unfolded(const Corners& t) const {
+    return CGAL::orientation(exact(mesh_.point(t[0])), exact(mesh_.point(t[1])), exact(mesh_.point(t[2]))) ==
+           CGAL::LEFT_TURN;
+}
+
+double PlanCollapse::sine_of(const Corners& t) const {
+    return smallest_sine(mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2]));
+}
+
 std::optional<double> PlanCollapse::new_sine(Halfedge into) const {
     double before = 1, after = 1;
     for (const Corners& t : fan_of(into)) {
-        const Point &a = mesh_.point(t[0]), &b = mesh_.point(t[1]), &c = mesh_.point(t[2]);
-        if (CGAL::orientation(exact(a), exact(b), exact(c)) != CGAL::LEFT_TURN) return std::nullopt;
-        after = std::min(after, smallest_sine(a, b, c));
+        if (!is_unfolded(t)) return std::nullopt;
+        after = std::min(after, sine_of(t));
     }
     if (after >= limits_.min_sine) return after;
-    for (const Face f : mesh_.vf_range(mesh_.from_vertex_handle(into))) {
-        const Corners t = corners_of(f);
-        before = std::min(before, smallest_sine(mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2])));
-    }
+    for (const Face f : mesh_.vf_range(mesh_.from_vertex_handle(into)))
+        before = std::min(before, sine_of(corners_of(f)));
     return after >= before ? std::optional(after) : std::nullopt;
 }
 

@@ -46,6 +46,10 @@ class PlanCollapse {
     //! Take the vertex out. \pre try_into(into) found a way
     void collapse(Halfedge into);
 
+    //! Turn the edge from v that can be turned best, so that v has one edge less. False if none can be within the limits.
+    //! A vertex that can't be taken out often can then.
+    bool turn_edge_away(Vertex v);
+
     const TriMesh& mesh() const { return mesh_; }
     std::size_t triangles() const { return triangles_; }
 
@@ -70,7 +74,17 @@ class PlanCollapse {
     double new_deviation(Halfedge into, double limit) const;
     std::vector<Corners> fan_of(Halfedge into, std::vector<Face>* faces = nullptr) const;
     std::size_t place_in(const std::vector<Corners>& fan, Vertex p) const;
-    std::array<Vertex, 3> corners_of(Face f) const;
+    Corners corners_of(Face f) const;
+    bool is_unfolded(const Corners& triangle) const;
+    double sine_of(const Corners& triangle) const;  // of the smallest angle
+
+    struct Turn {  // of an edge inside of two triangles
+        std::array<Face, 2> faces;
+        std::array<Corners, 2> after;
+    };
+    std::optional<Turn> turn_of(Halfedge h) const;
+    bool is_within_limits(const Turn& turn) const;
+    void turn(Halfedge h, const Turn& turn);
 
     const LayerModel& model_;
     Limits limits_;

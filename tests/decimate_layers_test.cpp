@@ -63,7 +63,7 @@ std::string bytes_of(const LayerModel& model) {
 
 TEST(DecimateLayers, planes_keep_holes_and_corners_alone) {
     for (const TruthKind truth : {TruthKind::Slab, TruthKind::Dipping})
-        for (const std::size_t holes : {std::size_t{4}, std::size_t{5}}) {
+        for (const std::size_t holes : {std::size_t{4}, std::size_t{5}, std::size_t{30}}) {
             RandomSurveyOptions survey{.holes = holes, .truth = truth, .resolution = 0};
             const LayerModel model = build_layer_model(
                 random_survey(survey), {.interpolator = InterpolatorKind::Linear, .spacing = kExtent / 25});
