@@ -11,6 +11,7 @@ void add_build_command(CLI::App& program);
 void add_check_command(CLI::App& program);
 void add_convert_command(CLI::App& program);
 void add_decimate_command(CLI::App& program);
+void add_grid_command(CLI::App& program);
 void add_info_command(CLI::App& program);
 void add_levels_command(CLI::App& program);
 void add_map_command(CLI::App& program);

@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
     add_check_command(program);
     add_convert_command(program);
     add_decimate_command(program);
+    add_grid_command(program);
     add_info_command(program);
     add_levels_command(program);
     add_map_command(program);
