@@ -20,7 +20,10 @@
 #include "io/read_creases.h"
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
+#include "io/write_picture.h"
 #include "mesh/analysis.h"
+#include "mesh/measures.h"
+#include "mesh/normals.h"
 #include "subdivision/adaptive_refine.h"
 #include "subdivision/feature_edges.h"
 
@@ -28,7 +31,7 @@ namespace stratareeb {
 namespace {
 
 struct RefineArguments {
-    std::string mesh, output, crease_file;
+    std::string mesh, output, crease_file, picture;
     std::vector<std::string> features;
     std::optional<SubdivisionScheme> scheme;
     RefineOptions options{.limit = false};
@@ -151,12 +154,49 @@ void print(const nlohmann::ordered_json& json) {
                json["area"].get<double>());
 }
 
-void run(const RefineArguments& arguments) {
+LayerSolid drawn(std::size_t order, const std::string& name, const char* color, TriangleSoup soup,
+                 double east) {
+    for (auto& p : soup.points) p.x += east;
+    LayerSolid solid{.order = order,
+                     .unit = {.code = std::to_string(order), .name = name, .color = color},
+                     .surface = half_edge_mesh(soup)};
+    return solid;
+}
+
+// The control mesh with its faces flat, and east of it what became of it.
+void draw(const RefineArguments& arguments, const PolygonMesh& control, const Refined& result) {
+    TriangleSoup flat;  // each triangle with corners of its own has a normal of its own
+    const TriangleSoup shared = triangle_fans(control);
+    for (const auto& t : shared.triangles) {
+        const auto first = static_cast<std::uint32_t>(flat.points.size());
+        for (const auto v : t) flat.points.push_back(shared.points[v]);
+        flat.triangles.push_back({first, first + 1, first + 2});
+    }
+    const double width = bounding_box(control.points).size().x;
+    std::vector<LayerSolid> solids;
+    solids.push_back(drawn(1, "control mesh", "#9db4c0", std::move(flat), 0));
+    solids.push_back(drawn(2, fmt::format("refined, level {}", result.levels), "#c8a26a",
+                           triangle_fans(result.refined.mesh), 1.4 * width));
+    for (auto& solid : solids) update_vertex_normals(solid.surface);
+    write_picture(
+        arguments.picture, solids,
+        {.width = 1000, .height = 560, .vertical_exaggeration = 1, .explode = 0, .length_unit = "units"});
+}
+
+void keep_existing_files(const RefineArguments& arguments) {
     const std::filesystem::path output = arguments.output;
     const auto format = mesh_format(output);
     keep_existing(output, arguments.overwrite);
     if (format == MeshFormat::Obj)
         keep_existing(std::filesystem::path(output).replace_extension(".mtl"), arguments.overwrite);
+    if (arguments.picture.empty()) return;
+    if (std::filesystem::path(arguments.picture).extension() != ".png")
+        throw IoError(arguments.picture + ": pictures are written as .png");
+    keep_existing(arguments.picture, arguments.overwrite);
+}
+
+void run(const RefineArguments& arguments) {
+    keep_existing_files(arguments);
     Progress progress("refine");
     progress.step("reading", 0.02);
     PolygonMesh control = control_mesh(arguments);
@@ -175,8 +215,9 @@ void run(const RefineArguments& arguments) {
     }
     if (arguments.triangles) result.refined.mesh = polygon_mesh(triangle_fans(result.refined.mesh));
     progress.step("writing", 0.8);
-    write_polygons(output, std::filesystem::path(arguments.mesh).stem().string(), result.refined.mesh,
-                   result.refined.normals);
+    write_polygons(arguments.output, std::filesystem::path(arguments.mesh).stem().string(),
+                   result.refined.mesh, result.refined.normals);
+    if (!arguments.picture.empty()) draw(arguments, control, result);
     progress.clear();
     const auto json = report(arguments, control, options, result);
     if (arguments.json)
@@ -238,6 +279,8 @@ void add_refine_command(CLI::App& program) {
                      "Cut faces only where the limit surface is further from them than this (input units)")
         ->check(CLI::PositiveNumber);
     command->add_flag("--triangles", arguments->triangles, "Write quads as triangles");
+    command->add_option("--picture", arguments->picture,
+                        "File for a picture of the mesh before and after, .png");
     add_repair_option(*command, arguments->repair);
     command->add_flag("--ignore-memory", arguments->ignore_memory, "Try even if memory seems too small");
     command->add_flag("--overwrite", arguments->overwrite, "Replace a file that is there");

@@ -52,7 +52,7 @@ void check_memory(double plan_triangles, std::size_t layers, bool all_solids) {
 
 double estimated_refine_memory(double faces, bool are_quads) {
     // Measured on 0.3 to 17 million faces: OpenSubdiv's tables of all levels, points, normals and faces, and the copy that is written.
-    constexpr double kTriangleBytes = 340, kQuadBytes = 640;
+    constexpr double kTriangleBytes = 300, kQuadBytes = 430;
     return faces * (are_quads ? kQuadBytes : kTriangleBytes);
 }
 

@@ -126,7 +126,7 @@ void BM_refine_points(benchmark::State& state) {
     count_triangles(state, mesh, kLevels);
 }
 
-// Growth with the level: the second argument levels down to the same number of triangles, or from the same control mesh.
+// Growth with the level from one control mesh; the argument is the level.
 void BM_refine_levels(benchmark::State& state) {
     const auto mesh = polygon_mesh(shapes::torus(3, 1, 64, 32));
     const int levels = static_cast<int>(state.range(0));
@@ -134,7 +134,7 @@ void BM_refine_levels(benchmark::State& state) {
     count_triangles(state, mesh, levels);
 }
 
-// One field more over a topology that is there: our evaluation, OpenSubdiv's, and a bare stencil table's.
+// One field more over a topology that is there: ours, OpenSubdiv's, and a bare stencil table's.
 void BM_field(benchmark::State& state) {
     const auto mesh = control(state, kLevels);
     const FieldSubdivision field(triangle_fans(mesh).triangles, mesh.points.size(), {}, {}, kLevels);
@@ -149,6 +149,24 @@ struct Height {
     void Clear() { value = 0; }
     void AddWithWeight(const Height& other, double weight) { value += weight * other.value; }
 };
+
+// The same by stencils, and what they cost first.
+void BM_stencils_field(benchmark::State& state) {
+    const auto mesh = control(state, kLevels);
+    const FieldSubdivision field(triangle_fans(mesh).triangles, mesh.points.size(), {}, {}, kLevels);
+    const SparseRows rows = field.stencils();
+    std::vector<double> heights;
+    for (const auto& p : mesh.points) heights.push_back(p.z);
+    for (auto _ : state) benchmark::DoNotOptimize(row_sums(rows, heights));
+    count_triangles(state, mesh, kLevels);
+}
+
+void BM_stencils(benchmark::State& state) {
+    const auto mesh = control(state, kLevels);
+    const FieldSubdivision field(triangle_fans(mesh).triangles, mesh.points.size(), {}, {}, kLevels);
+    for (auto _ : state) benchmark::DoNotOptimize(field.stencils());
+    count_triangles(state, mesh, kLevels);
+}
 
 void BM_bare_opensubdiv_field(benchmark::State& state) {
     const auto mesh = control(state, kLevels);
@@ -193,5 +211,7 @@ BENCHMARK(BM_refine_levels)->DenseRange(1, 6)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_bare_opensubdiv_field) SIZES;
 BENCHMARK(BM_bare_stencils_field) SIZES;
 BENCHMARK(BM_field) SIZES;
+BENCHMARK(BM_stencils_field) SIZES;
+BENCHMARK(BM_stencils) SIZES;
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <opensubdiv/far/error.h>
 #include <opensubdiv/far/primvarRefiner.h>
+#include <opensubdiv/far/stencilTableFactory.h>
 #include <opensubdiv/far/topologyDescriptor.h>
 #include <opensubdiv/far/topologyRefiner.h>
 #include <opensubdiv/far/topologyRefinerFactory.h>
@@ -283,6 +284,29 @@ std::vector<VertexKind> ControlTopology::kinds() const {
     std::vector<VertexKind> kinds(level.GetNumVertices());
     for (int v = 0; v < level.GetNumVertices(); ++v) kinds[v] = kind_of(level, v);
     return kinds;
+}
+
+SparseRows ControlTopology::refined_rows() const {
+    SparseRows rows;
+    if (levels() == 0) {  // for which OpenSubdiv makes no table
+        for (std::uint32_t v = 0; v < vertex_count(0); ++v) {
+            rows.column.push_back(v);
+            rows.weight.push_back(1);
+            rows.first.push_back(v + 1);
+        }
+        return rows;
+    }
+    using Factory = Far::StencilTableFactoryReal<double>;
+    Factory::Options options;
+    options.generateIntermediateLevels = false;
+    const std::unique_ptr<const Far::StencilTableReal<double>> table(
+        Factory::Create(*osd_->refiner, options));
+    rows.first.reserve(table->GetNumStencils() + 1);
+    for (const auto size : table->GetSizes())
+        rows.first.push_back(rows.first.back() + static_cast<std::uint32_t>(size));
+    rows.column.assign(table->GetControlIndices().begin(), table->GetControlIndices().end());
+    rows.weight = table->GetWeights();
+    return rows;
 }
 
 SparseRows ControlTopology::limit_rows(std::span<const std::uint32_t> control_vertices) const {

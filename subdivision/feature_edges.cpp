@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "subdivision/feature_edges.h"
 
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <tuple>
+#include <numeric>
 
 namespace stratareeb {
 namespace {
@@ -42,29 +40,36 @@ Point3 area_vector(const std::vector<Point3>& points, std::span<const std::uint3
 
 }  // namespace
 
+// Sides are put into a bucket for each lower vertex, which holds a few, and sorted there: several times faster than sorting them all.
 FeatureEdges::FeatureEdges(const PolygonMesh& mesh) : mesh_(mesh) {
-    sides_.reserve(mesh.corners.size());
-    for_each_face(mesh, [&](std::size_t face, std::span<const std::uint32_t> corners) {
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            const auto from = corners[i], to = corners[i + 1 < corners.size() ? i + 1 : 0];
-            sides_.push_back(
-                {std::min(from, to), std::max(from, to), static_cast<std::uint32_t>(face), from < to});
-        }
+    const auto for_each_side = [&](auto visit) {
+        for_each_face(mesh, [&](std::size_t face, std::span<const std::uint32_t> corners) {
+            for (std::size_t i = 0; i < corners.size(); ++i)
+                visit(corners[i], corners[i + 1 < corners.size() ? i + 1 : 0],
+                      static_cast<std::uint32_t>(face));
+        });
+    };
+    first_.assign(mesh.points.size() + 1, 0);
+    for_each_side(
+        [&](std::uint32_t from, std::uint32_t to, std::uint32_t) { ++first_[std::min(from, to) + 1]; });
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    sides_.resize(mesh.corners.size());
+    auto next = first_;
+    for_each_side([&](std::uint32_t from, std::uint32_t to, std::uint32_t face) {
+        sides_[next[std::min(from, to)]++] = {std::max(from, to), face};
     });
-    tbb::parallel_sort(sides_.begin(), sides_.end(), [](const Side& a, const Side& b) {
-        return std::tie(a.low, a.high, a.face, a.is_forward) < std::tie(b.low, b.high, b.face, b.is_forward);
-    });
+    for (std::size_t v = 0; v < mesh.points.size(); ++v)
+        std::sort(sides_.begin() + first_[v], sides_.begin() + first_[v + 1]);
 }
 
 template <class Visit>
 void FeatureEdges::for_each_edge(Visit visit) const {
     const std::span<const Side> sides = sides_;
-    for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
-        while (end < sides.size() && sides[end].low == sides[begin].low &&
-               sides[end].high == sides[begin].high)
-            ++end;
-        visit(sides.subspan(begin, end - begin));
-    }
+    for (std::uint32_t low = 0; low + 1 < first_.size(); ++low)
+        for (std::size_t begin = first_[low], end = begin; begin < first_[low + 1]; begin = end) {
+            while (end < first_[low + 1] && sides[end].high == sides[begin].high) ++end;
+            visit(low, sides.subspan(begin, end - begin));
+        }
 }
 
 std::vector<Point3> FeatureEdges::face_normals() const {
@@ -78,9 +83,9 @@ std::vector<Point3> FeatureEdges::face_normals() const {
 std::vector<Crease> FeatureEdges::creases(double angle_deg) const {
     const auto normals = face_normals();
     std::vector<Crease> creases;
-    for_each_edge([&](std::span<const Side> sides) {
+    for_each_edge([&](std::uint32_t low, std::span<const Side> sides) {
         if (sides.size() == 2 && angle_between(normals[sides[0].face], normals[sides[1].face]) > angle_deg)
-            creases.push_back({sides[0].low, sides[0].high});
+            creases.push_back({low, sides[0].high});
     });
     return creases;
 }
@@ -88,10 +93,10 @@ std::vector<Crease> FeatureEdges::creases(double angle_deg) const {
 std::vector<SharpCorner> FeatureEdges::outline_corners(double angle_deg) const {
     // The outline edges at each vertex, as their ends in turn.
     std::vector<std::array<std::uint32_t, 2>> ends;
-    for_each_edge([&](std::span<const Side> sides) {
+    for_each_edge([&](std::uint32_t low, std::span<const Side> sides) {
         if (sides.size() != 1) return;
-        ends.push_back({sides[0].low, sides[0].high});
-        ends.push_back({sides[0].high, sides[0].low});
+        ends.push_back({low, sides[0].high});
+        ends.push_back({sides[0].high, low});
     });
     std::sort(ends.begin(), ends.end());
     std::vector<SharpCorner> corners;
@@ -109,8 +114,8 @@ std::vector<SharpCorner> FeatureEdges::outline_corners(double angle_deg) const {
 
 std::vector<SharpCorner> FeatureEdges::outline_vertices() const {
     std::vector<std::uint32_t> vertices;
-    for_each_edge([&](std::span<const Side> sides) {
-        if (sides.size() == 1) vertices.insert(vertices.end(), {sides[0].low, sides[0].high});
+    for_each_edge([&](std::uint32_t low, std::span<const Side> sides) {
+        if (sides.size() == 1) vertices.insert(vertices.end(), {low, sides[0].high});
     });
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -9,7 +10,7 @@
 
 namespace stratareeb {
 
-//! The edges of a mesh by the number of their faces: what of it is an outline, and where it bends.
+//! The edges of a mesh with their faces: what of it is an outline, and where it bends.
 class FeatureEdges {
  public:
     //! \pre faces name vertices that are there
@@ -27,15 +28,16 @@ class FeatureEdges {
 
  private:
     struct Side {
-        std::uint32_t low, high, face;
-        bool is_forward;  // from low to high
+        std::uint32_t high, face;
+        friend auto operator<=>(const Side&, const Side&) = default;
     };
     std::vector<Point3> face_normals() const;
     template <class Visit>
     void for_each_edge(Visit visit) const;
 
     const PolygonMesh& mesh_;
-    std::vector<Side> sides_;  // by edge
+    std::vector<std::size_t> first_;  // of each edge's lower vertex among the sides
+    std::vector<Side> sides_;         // by edge
 };
 
 }  // namespace stratareeb

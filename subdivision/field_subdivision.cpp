@@ -42,6 +42,10 @@ std::vector<double> FieldSubdivision::limit(std::span<const double> control) con
     return topology_.limit(topology_.refined(control));
 }
 
+SparseRows FieldSubdivision::stencils() const {
+    return topology_.refined_rows();
+}
+
 SparseRows FieldSubdivision::limit_stencils(std::span<const std::uint32_t> control_vertices) const {
     return topology_.limit_rows(control_vertices);
 }

@@ -30,6 +30,9 @@ class FieldSubdivision {
     //! Limit values at refined vertices, from control values.
     std::vector<double> limit(std::span<const double> control) const;
 
+    //! `refined` as sparse rows, one a refined vertex: worth it from some fifty fields on (see row_sums).
+    SparseRows stencils() const;
+
     //! One row for each of these control vertices: its limit as weights of control values, none negative, that add up to one.
     //! \pre all sharpness is infinite
     SparseRows limit_stencils(std::span<const std::uint32_t> control_vertices) const;

@@ -37,7 +37,7 @@ std::vector<double> at_grid(std::uint32_t n, Function f) {
     return values;
 }
 
-double apply(const SparseRows& rows, std::size_t row, const std::vector<double>& values) {
+double row_sum(const SparseRows& rows, std::size_t row, const std::vector<double>& values) {
     double sum = 0;
     for (auto k = rows.first[row]; k < rows.first[row + 1]; ++k)
         sum += rows.weight[k] * values[rows.column[k]];
@@ -63,9 +63,13 @@ TEST(FieldSubdivision, limits_do_not_depend_on_the_level_and_agree_with_the_sten
         const FieldSubdivision field(sphere.triangles, values.size(), creases, {}, levels);
         limits.push_back(field.limit(values));
         const auto rows = field.limit_stencils(all(values.size()));
+        EXPECT_EQ(row_sums(rows, values).size(), values.size());
+        const auto refined = field.refined(values), by_stencils = row_sums(field.stencils(), values);
+        ASSERT_EQ(by_stencils.size(), field.refined_vertices());
+        for (std::size_t v = 0; v < refined.size(); ++v) EXPECT_NEAR(by_stencils[v], refined[v], 1e-14);
         for (std::size_t v = 0; v < values.size(); ++v) {
             EXPECT_NEAR(limits.back()[v], limits[0][v], 1e-14);
-            EXPECT_NEAR(apply(rows, v, values), limits[0][v], 1e-14);
+            EXPECT_NEAR(row_sum(rows, v, values), limits[0][v], 1e-14);
         }
     }
     const FieldSubdivision deep(sphere.triangles, values.size(), creases, {}, 7);
