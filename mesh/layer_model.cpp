@@ -192,7 +192,7 @@ LayerModel build_layer_model(const Survey& survey, const LayerModelOptions& opti
     const double triangles =
         expected_triangles(footprint, model.spacing, survey.holes.size() + lines.segments.size());
     if (options.before_meshing) options.before_meshing(triangles);
-    PlanMeshOptions plan_options{.spacing = model.spacing};
+    PlanMeshOptions plan_options{.spacing = model.spacing, .ring_holes = options.ring_holes};
     plan_options.progress = [&](std::size_t vertices) {
         report(options, "meshing the plan", std::min(0.99, 2 * static_cast<double>(vertices) / triangles));
     };

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -52,6 +53,8 @@ using CgalPoint = Kernel::Point_2;
 
 constexpr double kOnRing =
     1e-9;  // of the extent: points as close to the outline as that become corners of it
+constexpr double kRingOfHole = 1.0 / 3, kRingOfLine = 0.5;   // of the way from a hole to what is closest
+constexpr double kWidestRing = 0.75, kNarrowestRing = 0.02;  // of the spacing
 constexpr double kFrameMargin = 0.25;  // of the extent: keeps the outline off the triangulation's own hull
 
 double extent_of(const Footprint& footprint) {
@@ -75,7 +78,7 @@ class PlanBuilder {
         footprint_ = with_points_on_rings(footprint, given, tolerance);
     }
 
-    void triangulate() {
+    void triangulate(const PlanMeshOptions& options) {
         insert_frame();
         const auto handles = insert_points();
         std::size_t first = holes_.size() + lines_.points.size();
@@ -86,6 +89,7 @@ class PlanBuilder {
         }
         for (const auto& [a, b] : lines_.segments)
             constrain(handles[holes_.size() + a], handles[holes_.size() + b]);
+        if (options.ring_holes && options.spacing > 0) insert_rings(options.spacing);
         mark_domain();
     }
 
@@ -151,6 +155,39 @@ class PlanBuilder {
 
     void constrain(Cdt::Vertex_handle a, Cdt::Vertex_handle b) {
         if (a != b) cdt_.insert_constraint(a, b);
+    }
+
+    void insert_rings(double spacing) {
+        std::vector<CgalPoint> points;
+        for (const auto vertex : cdt_.finite_vertex_handles()) {
+            if (vertex->info().value >= holes_.size()) continue;
+            const double radius = std::min(kWidestRing * spacing, room_around(vertex));
+            if (radius < kNarrowestRing * spacing) continue;
+            for (int k = 0; k < 6; ++k) {
+                const double angle = k * std::numbers::pi / 3;
+                points.emplace_back(vertex->point().x() + radius * std::cos(angle),
+                                    vertex->point().y() + radius * std::sin(angle));
+            }
+        }
+        cdt_.insert(points.begin(), points.end());
+    }
+
+    // What is closest to a hole is among its neighbours and the edges that face it. 0 on lines and the outline.
+    double room_around(Cdt::Vertex_handle hole) const {
+        double room = std::numeric_limits<double>::max();
+        auto face = cdt_.incident_faces(hole), first = face;
+        do {
+            const int i = face->index(hole);
+            if (face->is_constrained(cdt_.cw(i)) || face->is_constrained(cdt_.ccw(i))) return 0;
+            const auto a = face->vertex(cdt_.ccw(i)), b = face->vertex(cdt_.cw(i));
+            const double share = a->info().value < holes_.size() ? kRingOfHole : kRingOfLine;
+            room = std::min(room, share * std::sqrt(CGAL::squared_distance(hole->point(), a->point())));
+            if (face->is_constrained(i))
+                room = std::min(room,
+                                kRingOfLine * std::sqrt(CGAL::squared_distance(
+                                                  hole->point(), Kernel::Segment_2(a->point(), b->point()))));
+        } while (++face != first);
+        return room;
     }
 
     // Regions bounded by constrained edges lie wholly inside or wholly outside of the outline: ask one face
@@ -226,7 +263,7 @@ class PlanBuilder {
 PlanMesh build_plan_mesh(const Footprint& footprint, const std::vector<Point2>& holes, const PlanLines& lines,
                          const PlanMeshOptions& options) {
     PlanBuilder builder(footprint, holes, lines);
-    builder.triangulate();
+    builder.triangulate(options);
     if (options.spacing > 0) builder.refine(options);
     return builder.take();
 }

@@ -23,6 +23,9 @@ struct PlanMesh {
 struct PlanMeshOptions {
     double spacing = 0;         // longest edge wanted; 0 = the given points and lines alone
     double min_angle_deg = 20;  // quality of refined triangles, except where given lines meet at less
+    //! Six vertices around each hole off lines and outline, closer to it than to anything else: room for a smooth
+    //! surface to be led through the hole whatever its neighbours say.
+    bool ring_holes = false;
     std::function<void(std::size_t vertices)> progress = {};
 };
 

@@ -4,7 +4,9 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
+#include <array>
 
+#include "boreholes/errors.h"
 #include "subdivision/fairness_rows.h"
 #include "subdivision/layer_creases.h"
 #include "subdivision/limit_fit.h"
@@ -13,11 +15,17 @@ namespace stratareeb {
 
 namespace {
 
+using Corners = std::array<std::uint32_t, 3>;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-constexpr double kFairness = 0.05;  // against 1 for the distance of the limit to the given place
-constexpr double kFairer = 20;      // times that around folds, once a round
-constexpr int kFairRounds = 2;      // then what still folds stays linear
+// Weights: limits at their given places (on pinch-out lines; elsewhere) against a fair parametrisation. The less they
+// count, the better the triangles; predictions are taken where vertices come to lie.
+constexpr double kToLine = 0.05, kToPlace = 0.01, kFairness = 1;
+constexpr double kFairer = 20;  // times the fairness around folds and flat triangles, once a round
+constexpr int kFairRounds = 3;  // then what still folds stays linear
+constexpr int kMostRounds = 100;
+// Twice the area over the sum of squared sides (0.29 at most): below it a triangle is flat, if it came from one above.
+constexpr double kFlat = 0.04, kGood = 0.08;
 
 class PlanFit {
  public:
@@ -28,6 +36,7 @@ class PlanFit {
             given_x_.push_back(mesh_.point(v)[0]);
             given_y_.push_back(mesh_.point(v)[1]);
         }
+        find_lines(model.regions);
         umbrella_ = umbrella_rows(mesh_);
         fairness_.assign(umbrella_.vertex.size(), kFairness);
         is_linear_.assign(mesh_.n_faces(), 0);
@@ -36,22 +45,38 @@ class PlanFit {
     PlanLimit run() {
         for (int round = 0;; ++round) {
             solve();
-            const std::vector<std::size_t> folded = folded_triangles();
-            if (folded.empty()) return std::move(plan_);
-            if (round < kFairRounds)
-                make_fairer(folded);
+            const bool is_last = round >= kFairRounds;
+            const std::vector<std::size_t> bad = bad_triangles(is_last ? 0 : kFlat);
+            if (bad.empty()) return std::move(plan_);
+            if (!is_last)
+                make_fairer(bad);
             else
-                make_linear(folded, round > 2 * kFairRounds);
+                make_linear(bad, round > 2 * kFairRounds);
+            if (round == kMostRounds) throw GeometryError("the refined plan folds over");
         }
     }
 
  private:
+    void find_lines(const LayerRegions& regions) {
+        for (const auto e : mesh_.edges()) {
+            if (mesh_.is_boundary(e)) continue;
+            const auto h = mesh_.halfedge_handle(e, 0), o = mesh_.halfedge_handle(e, 1);
+            const auto layers = [&](auto side) {
+                return regions.in_face[static_cast<std::size_t>(mesh_.face_handle(side).idx())];
+            };
+            if (layers(h) == layers(o)) continue;
+            on_line_.push_back(static_cast<std::uint32_t>(mesh_.to_vertex_handle(h).idx()));
+            on_line_.push_back(static_cast<std::uint32_t>(mesh_.to_vertex_handle(o).idx()));
+        }
+    }
+
     void solve() {
         LimitFitSetup setup;
         setup.limit = limit_rows(topology_.level(0), plan_.creases);
         setup.fairness = umbrella_.rows;
         setup.fairness_weight = fairness_;
-        setup.weight.assign(mesh_.n_vertices(), 1.0);
+        setup.weight.assign(mesh_.n_vertices(), kToPlace);
+        for (const auto v : on_line_) setup.weight[v] = kToLine;
         setup.fixed.assign(mesh_.n_vertices(), 0);
         for (const auto v : mesh_.vertices())
             if (mesh_.is_boundary(v)) setup.fixed[static_cast<std::size_t>(v.idx())] = 1;
@@ -101,18 +126,35 @@ class PlanFit {
         for (const std::uint32_t v : plan_.creases.corners) keep(v);
     }
 
-    //! Triangles of the plan mesh with a folded or flat one in them.
-    std::vector<std::size_t> folded_triangles() const {
+    //! Triangles of the plan mesh in which one is folded, or flat though they are not.
+    std::vector<std::size_t> bad_triangles(double flat) const {
         const auto& fine = topology_.finest().triangles;
         const std::size_t children = fine.size() / mesh_.n_faces();
-        std::vector<std::size_t> folded;
-        const auto at = [&](std::uint32_t v) { return Kernel::Point_2(plan_.limit_x[v], plan_.limit_y[v]); };
+        std::vector<std::size_t> bad;
         for (std::size_t f = 0; f < fine.size(); ++f) {
-            const auto& [a, b, c] = fine[f];
-            if (CGAL::orientation(at(a), at(b), at(c)) == CGAL::LEFT_TURN) continue;
-            if (folded.empty() || folded.back() != f / children) folded.push_back(f / children);
+            const std::size_t parent = f / children;
+            if (!bad.empty() && bad.back() == parent) continue;
+            if (is_folded(fine[f]) ||
+                (flat > 0 && quality(fine[f], plan_.limit_x, plan_.limit_y) < flat &&
+                 quality(topology_.level(0).triangles[parent], given_x_, given_y_) > kGood))
+                bad.push_back(parent);
         }
-        return folded;
+        return bad;
+    }
+
+    bool is_folded(const Corners& t) const {
+        const auto at = [&](std::uint32_t v) { return Kernel::Point_2(plan_.limit_x[v], plan_.limit_y[v]); };
+        return CGAL::orientation(at(t[0]), at(t[1]), at(t[2])) != CGAL::LEFT_TURN;
+    }
+
+    static double quality(const Corners& t, const std::vector<double>& x, const std::vector<double>& y) {
+        double twice_area = 0, squares = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+            twice_area += (x[a] - x[t[0]]) * (y[b] - y[t[0]]) - (x[b] - x[t[0]]) * (y[a] - y[t[0]]);
+            squares += (x[b] - x[a]) * (x[b] - x[a]) + (y[b] - y[a]) * (y[b] - y[a]);
+        }
+        return twice_area / squares;
     }
 
     std::vector<char> corners_of(const std::vector<std::size_t>& faces) const {
@@ -156,6 +198,7 @@ class PlanFit {
     const LoopTopology& topology_;
     const std::vector<std::uint32_t>& holes_;
     std::vector<double> given_x_, given_y_;
+    std::vector<std::uint32_t> on_line_;
     FairnessRows umbrella_;
     std::vector<double> fairness_;
     std::vector<char> is_linear_;

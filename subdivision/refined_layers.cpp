@@ -125,15 +125,20 @@ class LayerRefinement {
         return handed_[layer];
     }
 
-    void hand_over(std::size_t layer, const std::vector<double>& control) {
-        std::vector<double> values = limit_values(topology_, creases_.thickness[layer], control);
-        for (auto& [to, bend] : bends_handed_over(control_, creases_, topology_, layer, control, values)) {
+    void receive(std::map<std::size_t, std::vector<double>> bends) {
+        for (auto& [to, bend] : bends) {
             auto& sum = handed_[to];
             if (sum.empty())
                 sum = std::move(bend);
             else
                 for (std::size_t v = 0; v < sum.size(); ++v) sum[v] += bend[v];
         }
+    }
+
+    void hand_over(std::size_t layer, const std::vector<double>& control) {
+        std::vector<double> values = limit_values(topology_, creases_.thickness[layer], control);
+        if (options_.smooth_below)
+            receive(bends_handed_over(control_, creases_, topology_, layer, control, values));
         auto& handed = handed_[layer];
         for (std::size_t v = 0; v < values.size(); ++v)
             values[v] = regions_.zero_at[v][layer]

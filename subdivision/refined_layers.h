@@ -12,6 +12,7 @@ struct RefineLayersOptions {
     int levels = 2;  // each quadruples the triangles; 0 = the model as it is
     double fairness =
         0.1;  // weight of bending against closeness to the prediction; contacts are met whatever it is
+    bool smooth_below = true;  // layers below one that ends take up the bend at its end
     //! Called between the steps with what is being done and its share (0..1), from one thread.
     std::function<void(const char* step, double share)> progress;
 };
