@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/smooth_bodies.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+#include <BRepCheck_Analyzer.hxx>
+#include <Standard_Failure.hxx>
+#include <TopoDS_Shape.hxx>
+#include <cmath>
+#include <map>
+
+#include "boreholes/errors.h"
+#include "io/faceted_bodies.h"
+#include "io/smooth_shapes.h"
+
+namespace stratareeb {
+namespace {
+
+class Maker {
+ public:
+    Maker(const LayerModel& model, const SmoothBodiesOptions& options)
+        : model_(model), options_(options), brep_(build_smooth_brep(model, options.fit)) {}
+
+    SmoothBodies make() {
+        const auto shapes = smooth_shapes(brep_);
+        faults_.resize(shapes.size());
+        volumes_.resize(shapes.size());
+        tbb::parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t b) { examine(b, *shapes[b]); });
+        SmoothBodies result;
+        std::map<std::uint32_t, std::size_t> bodies_of_layer;
+        for (std::size_t b = 0; b < shapes.size(); ++b) {
+            const auto layer = brep_.cells.bodies[b].layer;
+            const Unit& unit = model_.units[layer];
+            CadBody body{.name = body_name(unit, bodies_of_layer[layer]++),
+                         .color = rgb_from_text(unit.color),
+                         .solid = shapes[b]};
+            if (!faults_[b].empty()) {
+                result.notes.push_back(fmt::format("'{}' is made of facets: {}", body.name, faults_[b]));
+                body.solid = facets(b);
+            }
+            result.reports.push_back({.name = body.name,
+                                      .smooth = faults_[b].empty(),
+                                      .faces = count_faces(*body.solid),
+                                      .off = faults_[b].empty() ? brep_.quality[b].off : 0,
+                                      .volume = faults_[b].empty() ? volumes_[b] : cad_volume(*body.solid),
+                                      .mesh_volume = brep_.quality[b].mesh_volume});
+            result.bodies.push_back(std::move(body));
+        }
+        return result;
+    }
+
+ private:
+    void examine(std::size_t b, const TopoDS_Shape& shape) {
+        const auto& quality = brep_.quality[b];
+        faults_[b] = fault_of(quality);
+        if (!faults_[b].empty()) return;
+        try {
+            if (!BRepCheck_Analyzer(shape).IsValid()) {
+                faults_[b] = "smooth faces make no valid solid of it";
+                return;
+            }
+            volumes_[b] = cad_volume(shape);
+        } catch (const Standard_Failure& e) {
+            faults_[b] = fmt::format("OpenCASCADE can't check its smooth faces ({})", e.GetMessageString());
+            return;
+        }
+        const double off = std::abs(volumes_[b] - quality.mesh_volume) / quality.mesh_volume;
+        if (!(off <= options_.volume_tolerance))
+            faults_[b] = fmt::format("smooth faces would change its volume by {:.2g} %", 100 * off);
+    }
+
+    std::string fault_of(const SmoothBrep::BodyQuality& quality) const {
+        if (!(quality.least_thickness > 0)) return "its smooth top and base would cross";
+        if (!(quality.off <= options_.most_off * brep_.size))
+            return fmt::format("smooth faces would be {:.3g} off", quality.off);
+        return {};
+    }
+
+    // The planar solid of the same part of the layer. Its faces over the body's first triangle tell which it is.
+    std::shared_ptr<const TopoDS_Shape> facets(std::size_t b) const {
+        LayerModel part;
+        const auto& body = brep_.cells.bodies[b];
+        part.units = model_.units;
+        part.origin = model_.origin;
+        part.plan = model_.plan;
+        part.horizons = model_.horizons;
+        part.regions.zero_at = model_.regions.zero_at;
+        part.regions.in_face.resize(model_.regions.in_face.size());
+        for (const auto f : body.faces) part.regions.in_face[f][body.layer] = true;
+        auto bodies = faceted_bodies(build_layer_solid(part, body.layer));
+        if (bodies.size() != 1)
+            throw GeometryError(fmt::format("layer '{}': one of its bodies falls into {} parts",
+                                            body_name(model_.units[body.layer], 0), bodies.size()));
+        return bodies[0].solid;
+    }
+
+    const LayerModel& model_;
+    const SmoothBodiesOptions& options_;
+    SmoothBrep brep_;
+    std::vector<std::string> faults_;  // [body]; empty = sound
+    std::vector<double> volumes_;
+};
+
+}  // namespace
+
+SmoothBodies smooth_bodies(const LayerModel& model, const SmoothBodiesOptions& options) {
+    return Maker(model, options).make();
+}
+
+}  // namespace stratareeb

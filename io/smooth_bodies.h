@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "io/cad_body.h"
+#include "mesh/layer_model.h"
+#include "subdivision/smooth_brep.h"
+
+namespace stratareeb {
+
+struct SmoothBodiesOptions {
+    SmoothBrepOptions fit;
+    double volume_tolerance = 2e-3;  // share by which a body's volume may differ from its triangles'
+    double most_off = 2e-3;          // share of the size that a face may be off the model's vertices
+};
+
+struct SmoothBodyReport {
+    std::string name;
+    bool smooth = true;  // otherwise made of facets
+    std::size_t faces = 0;
+    double off = 0;          // largest distance of faces from the model's vertices, of edges from their faces
+    double volume = 0;       // of the CAD solid
+    double mesh_volume = 0;  // of the model's triangles
+};
+
+struct SmoothBodies {
+    std::vector<CadBody> bodies;            // layer by layer from the top
+    std::vector<SmoothBodyReport> reports;  // [bodies]
+    std::vector<std::string> notes;         // which bodies have facets, and why
+};
+
+//! CAD solids of few smooth faces: top and base one trimmed B-spline face for each neighbour, the same face as
+//! the neighbour's; upright walls along the sides of the footprint; pinch-outs end in an edge. A body whose
+//! smooth solid is not sound (by OpenCASCADE's check), crosses itself or is too far from the model gets planar
+//! facets instead, with a note; its neighbours stay smooth.
+SmoothBodies smooth_bodies(const LayerModel& model, const SmoothBodiesOptions& options = {});
+
+}  // namespace stratareeb
