@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -23,7 +24,7 @@ constexpr std::size_t kLeastSites = 8;
 constexpr std::size_t kNeighbours = 12;
 constexpr std::size_t kCoarse =
     400;  // first sites of the order: their neighbours are far, they tell the long range
-constexpr std::size_t kFine = 600;  // last sites of the order: their neighbours are near
+constexpr std::size_t kFine = 400;  // last sites of the order: their neighbours are near
 constexpr std::size_t kTasks = 16;
 constexpr double kJitter = 1e-10;  // keeps factors of nearly repeated sites finite
 // Log likelihood that anisotropy's two parameters must bring.
@@ -341,11 +342,12 @@ Variogram fit_variogram(std::span<const Point2> at, std::span<const double> valu
     for (const double v : value) mean += v / n;
     for (const double v : value) variance += (v - mean) * (v - mean) / n;
     const std::size_t terms = options.drift >= 2 ? 6 : options.drift == 1 ? 3 : 1;
-    if (at.size() < kLeastSites + terms || !(variance > 0)) {
+    const bool equal = std::ranges::adjacent_find(value, std::ranges::not_equal_to{}) == value.end();
+    if (at.size() < kLeastSites + terms || equal) {
         const double extent = at.size() > 1 ? extent_of(at) : 1;
         return {.model = VariogramModel::Exponential,
                 .nugget = 0,
-                .sill = variance > 0 ? variance : 1,
+                .sill = equal ? 1 : variance,
                 .range = extent > 0 ? extent : 1};
     }
     std::vector<double> scaled(value.begin(), value.end());

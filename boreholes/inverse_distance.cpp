@@ -51,8 +51,9 @@ std::vector<std::vector<double>> InverseDistance::predict(std::span<const Point2
             double sum = 0, weights = 0, low = sites.value[near[0].site], high = low;
             for (const NearSite& n : near) {
                 // times the closest distance, which keeps powers within doubles
-                const double w =
-                    std::pow(std::max(0.0, (1 / std::sqrt(n.squared_distance) - beyond) * closest), power_);
+                const double closeness =
+                    std::max(0.0, (1 / std::sqrt(n.squared_distance) - beyond) * closest);
+                const double w = power_ == 2 ? closeness * closeness : std::pow(closeness, power_);
                 sum += w * sites.value[n.site], weights += w;
                 low = std::min(low, sites.value[n.site]), high = std::max(high, sites.value[n.site]);
             }
