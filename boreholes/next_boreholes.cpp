@@ -2,10 +2,14 @@
 #include "boreholes/next_boreholes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <numbers>
 
 #include "boreholes/hole_triangulation.h"
+#include "boreholes/nearest_sites.h"
 
 namespace stratareeb {
 
@@ -17,7 +21,8 @@ double distance(const Point2& p, const Point2& q) {
 
 struct Candidate {
     Point2 at;
-    double clearance = 0;  // distance to the nearest hole
+    double clearance = 0;  // distance to the triangle's corners; of a centroid, other holes may be nearer
+    bool is_exact = true;
 };
 
 Point2 circumcentre(const Point2& p, const Point2& q, const Point2& r) {
@@ -41,7 +46,7 @@ Candidate middle_of(const Point2& p, const Point2& q, const Point2& r) {
         return {centre, distance(centre, p)};
     }
     const Point2 centre{(p.x + q.x + r.x) / 3, (p.y + q.y + r.y) / 3};
-    return {centre, std::min({distance(centre, p), distance(centre, q), distance(centre, r)})};
+    return {centre, std::min({distance(centre, p), distance(centre, q), distance(centre, r)}), false};
 }
 
 }  // namespace
@@ -52,15 +57,24 @@ std::vector<NextBorehole> next_boreholes(std::span<const Point2> holes, std::siz
     const Point2 origin = holes.front();
     std::vector<Point2> local;
     for (const Point2& p : holes) local.push_back({p.x - origin.x, p.y - origin.y});
+    std::map<std::array<std::uint32_t, 3>, double>
+        known_error;  // of a gap; most stay from one choice to the next
     std::vector<NextBorehole> chosen;
     while (chosen.size() < count) {
         const HoleTriangulation triangulation(local);
+        const NearestSites nearest(local);
         NextBorehole best;
-        for (const auto& [a, b, c] : triangulation.triangles()) {
-            const Candidate middle = middle_of(local[a], local[b], local[c]);
+        for (auto corners : triangulation.triangles()) {
+            const Candidate middle = middle_of(local[corners[0]], local[corners[1]], local[corners[2]]);
             NextBorehole gap{{origin.x + middle.at.x, origin.y + middle.at.y}};
             gap.area = std::numbers::pi * middle.clearance * middle.clearance;
-            gap.expected_error = expected_error(gap.at);
+            std::ranges::sort(corners);
+            const auto [place, is_new] = known_error.try_emplace(corners, 0.0);
+            if (is_new) place->second = expected_error(gap.at);
+            gap.expected_error = place->second;
+            if (gap.benefit() <= best.benefit()) continue;
+            if (!middle.is_exact)
+                gap.area = std::numbers::pi * nearest.nearest(middle.at, 1)[0].squared_distance;
             if (gap.benefit() > best.benefit()) best = gap;
         }
         if (best.benefit() <= 0) break;

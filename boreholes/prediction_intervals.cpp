@@ -92,6 +92,10 @@ double LocalError::at_without(const Point2& place, std::size_t draw) const {
     return blended(sum, found, std::max(all, 0.0) / static_cast<double>(others));
 }
 
+bool has_enough_errors(std::size_t count, double confidence) {
+    return conformal_rank(count, confidence) < count;
+}
+
 PredictionReach prediction_reach(const LocalError& local, double confidence) {
     std::vector<double> scores;
     for (const PlacedError& error : local.errors())
@@ -99,7 +103,7 @@ PredictionReach prediction_reach(const LocalError& local, double confidence) {
     if (scores.empty()) return {0, false};
     std::ranges::sort(scores);
     const std::size_t rank = conformal_rank(scores.size(), confidence);
-    return {scores[std::min(rank, scores.size() - 1)], rank < scores.size()};
+    return {scores[std::min(rank, scores.size() - 1)], has_enough_errors(scores.size(), confidence)};
 }
 
 std::vector<double> held_out_half_widths(const LocalError& local, double confidence) {

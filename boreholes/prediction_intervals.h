@@ -54,6 +54,9 @@ struct PredictionReach {
 //! Shafer, "Algorithmic learning in a random world", 2005; normalised as by H. Papadopoulos, 2008).
 PredictionReach prediction_reach(const LocalError& local, double confidence);
 
+//! Are there enough errors for a quantile of this confidence, as 19 for 0.95?
+bool has_enough_errors(std::size_t count, double confidence);
+
 //! For each error, the half width of the interval that would have been given there by errors of other draws alone
 //! (cross-conformal prediction, V. Vovk, 2015). With exchangeable holes the share of |error| <= half width is at least
 //! about the confidence, whatever the interpolator and the law of errors.

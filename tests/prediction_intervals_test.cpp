@@ -191,6 +191,12 @@ TEST(NextBoreholes, stand_in_the_largest_gaps) {
     for (std::size_t i = 1; i < 5; ++i) {
         for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(five[i].at == five[j].at);
     }
+    for (const NextBorehole& gap : five) {
+        double clearance = 1e9;
+        for (const Point2& hole : holes)
+            clearance = std::min(clearance, std::hypot(hole.x - gap.at.x, hole.y - gap.at.y));
+        EXPECT_LE(gap.area, 3.1416 * clearance * clearance);
+    }
     EXPECT_TRUE(next_boreholes({}, 3, same).empty());
     EXPECT_TRUE(next_boreholes(std::vector<Point2>{{0, 0}, {1, 0}}, 3, same).empty());
 }
