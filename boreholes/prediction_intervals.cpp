@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -25,6 +26,13 @@ std::size_t conformal_rank(std::size_t count, double confidence) {
 //! 0 / 0 is a right prediction amid right ones.
 double score(double error, double scale) {
     return error == 0 ? 0 : std::abs(error) / scale;
+}
+
+//! `by_size`: largest first.
+double largest_of_others(const std::vector<PlacedError>& by_size, std::size_t draw) {
+    for (const PlacedError& error : by_size)
+        if (error.draw != draw) return std::abs(error.error);
+    return 0;
 }
 
 }  // namespace
@@ -98,12 +106,15 @@ bool has_enough_errors(std::size_t count, double confidence) {
 
 PredictionReach prediction_reach(const LocalError& local, double confidence) {
     std::vector<double> scores;
-    for (const PlacedError& error : local.errors())
+    double most = 0;
+    for (const PlacedError& error : local.errors()) {
+        most = std::max(most, std::abs(error.error));
         scores.push_back(score(error.error, local.at_without(error.at, error.draw)));
-    if (scores.empty()) return {0, false};
+    }
+    if (scores.empty()) return {0, 0, false};
     std::ranges::sort(scores);
     const std::size_t rank = conformal_rank(scores.size(), confidence);
-    return {scores[std::min(rank, scores.size() - 1)], has_enough_errors(scores.size(), confidence)};
+    return {scores[std::min(rank, scores.size() - 1)], most, has_enough_errors(scores.size(), confidence)};
 }
 
 std::vector<double> held_out_half_widths(const LocalError& local, double confidence) {
@@ -114,21 +125,25 @@ std::vector<double> held_out_half_widths(const LocalError& local, double confide
         scale.push_back(local.at_without(errors[i].at, errors[i].draw));
         scores.push_back(score(errors[i].error, scale[i]));
     }
+    std::vector<PlacedError> by_size(errors.begin(), errors.end());
+    std::ranges::stable_sort(by_size, std::greater<>(),
+                             [](const PlacedError& e) { return std::abs(e.error); });
     std::vector<std::size_t> order(errors.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return scores[i]; });
     for (std::size_t rank = 0; rank < order.size(); ++rank) members[errors[order[rank]].draw].push_back(rank);
 
-    std::map<std::size_t, double> factor;
+    std::map<std::size_t, PredictionReach> reach;
     for (const auto& [draw, own] : members) {
         const std::size_t others = errors.size() - own.size();
         if (others == 0) continue;
         std::size_t rank = std::min(conformal_rank(others, confidence), others - 1);
         for (const std::size_t taken : own) rank += taken <= rank;  // step over the draw's own scores
-        factor[draw] = scores[order[rank]];
+        reach[draw] = {scores[order[rank]], largest_of_others(by_size, draw)};
     }
     std::vector<double> widths;
-    for (std::size_t i = 0; i < errors.size(); ++i) widths.push_back(factor[errors[i].draw] * scale[i]);
+    for (std::size_t i = 0; i < errors.size(); ++i)
+        widths.push_back(reach[errors[i].draw].half_width(scale[i]));
     return widths;
 }
 

@@ -56,12 +56,16 @@ std::vector<double> plain_half_widths(const std::vector<PlacedError>& errors, do
     std::vector<double> widths;
     for (std::size_t i = 0; i < errors.size(); ++i) {
         std::vector<double> scores;
-        for (std::size_t j = 0; j < errors.size(); ++j)
-            if (errors[j].draw != errors[i].draw) scores.push_back(std::abs(errors[j].error) / scale(j));
+        double most = 0;
+        for (std::size_t j = 0; j < errors.size(); ++j) {
+            if (errors[j].draw == errors[i].draw) continue;
+            scores.push_back(std::abs(errors[j].error) / scale(j));
+            most = std::max(most, std::abs(errors[j].error));
+        }
         std::sort(scores.begin(), scores.end());
         const auto rank =
             static_cast<std::size_t>(std::ceil((static_cast<double>(scores.size()) + 1) * confidence));
-        widths.push_back(scores[std::min(rank, scores.size()) - 1] * scale(i));
+        widths.push_back(std::min(scores[std::min(rank, scores.size()) - 1] * scale(i), most));
     }
     return widths;
 }
@@ -158,10 +162,10 @@ TEST(PredictionIntervals, cover_new_holes) {
             for (const Residual& residual : validation.layers[i].residuals)
                 errors.push_back({known.holes[residual.hole].at, residual.draw, residual.error()});
             const LocalError local(errors);
-            const double factor = prediction_reach(local, 0.95).factor;
+            const PredictionReach reach = prediction_reach(local, 0.95);
             for (std::size_t p = 0; p < 100; ++p) {
                 const double error = columns.thickness[i][p] - survey.holes[150 + p].layers[i].thickness;
-                covered += std::abs(error) <= factor * local.at(where[p]);
+                covered += std::abs(error) <= reach.half_width(local.at(where[p]));
                 ++checked;
             }
         }
