@@ -24,6 +24,7 @@
 #include "mesh/analysis.h"
 #include "mesh/normals.h"
 #include "reeb/surface_of_graph.h"
+#include "reeb/terrain_stack.h"
 
 namespace stratareeb {
 namespace {
@@ -32,6 +33,7 @@ struct ReconstructArguments {
     std::string input, output, graph, picture;
     StackOptions stack;
     std::optional<HomotopyKind> homotopy;
+    std::optional<bool> terrain;
     SurfaceOptions surface;
     bool turned = false, allow_crossings = false, overwrite = false, json = false;
 };
@@ -88,8 +90,12 @@ class Reconstruct {
     void build() {
         progress_.step("surface", 0.2);
         const auto start = std::chrono::steady_clock::now();
+        SurfaceOptions options = arguments_.surface;
+        options.terrain = arguments_.terrain
+                              ? *arguments_.terrain
+                              : input_.stack && !arguments_.homotopy && is_terrain(input_.graph);
         try {
-            surface_ = surface_of_graph(input_.graph, arguments_.surface);
+            surface_ = surface_of_graph(input_.graph, options);
         } catch (const InvalidInput& error) {
             throw InvalidInput(fmt::format("{}: {}", arguments_.input, error.what()));
         }
@@ -226,6 +232,13 @@ void add_surface_options(CLI::App& command, ReconstructArguments& arguments) {
          {"exact", BandTriangulation::Exact},
          {"greedy", BandTriangulation::Greedy}},
         "Between contours: least area, the shortest next edge, or least area where that is quick (auto)");
+    add_choice(
+        command, "--terrain", arguments.terrain,
+        {{"auto", std::nullopt}, {"on", std::optional(true)}, {"off", std::optional(false)}},
+        "Where contours are no steeper than 63 degrees, a thin plate over the plan instead of the homotopy; "
+        "auto: for contours of ground without overhangs, unless --homotopy is given");
+    add_choice(command, "--fairing", arguments.surface.fairing, {{"on", true}, {"off", false}},
+               "Beside saddles: bent as little as given contours allow, or as made from them");
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ std::vector<std::array<std::uint32_t, 3>> band_between(const Ring& lower, const 
 
 std::uint32_t BandSurface::add_point(const Point3& p) {
     soup_.points.push_back(p);
-    is_free_.push_back(false);
+    resize_free(soup_.points.size());
     return static_cast<std::uint32_t>(soup_.points.size() - 1);
 }
 
@@ -48,7 +48,7 @@ Ring BandSurface::add_ring(SampledContour shape) {
     std::vector<std::uint32_t> vertices(shape.points.size());
     std::iota(vertices.begin(), vertices.end(), static_cast<std::uint32_t>(soup_.points.size()));
     soup_.points.insert(soup_.points.end(), shape.points.begin(), shape.points.end());
-    is_free_.resize(soup_.points.size(), false);
+    resize_free(soup_.points.size());
     return {std::move(shape), std::move(vertices)};
 }
 
@@ -92,6 +92,16 @@ void BandSurface::join_equal_parameters(const Ring& lower, const Ring& upper, bo
             add_triangle(b, c, d, is_hole);
         }
     }
+}
+
+void BandSurface::add_sheet(const PlanSheet& sheet, std::vector<std::uint32_t> vertices,
+                            std::uint32_t group) {
+    for (std::size_t i = 0; i < sheet.added.size(); ++i) {
+        vertices.push_back(add_point(sheet.added[i]));
+        if (i >= sheet.critical && group != FreeVertices::kNoGroup)
+            let_free(vertices.back(), Freedom::Height, group);
+    }
+    for (const auto& [a, b, c] : sheet.triangles) add_triangle(vertices[a], vertices[b], vertices[c], false);
 }
 
 void BandSurface::add_flat_cap(const Ring& ring, bool is_top, bool is_hole) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesh/triangle_soup.h"
+#include "reeb/plan_sheet.h"
 #include "reeb/sampled_contour.h"
 
 namespace stratareeb {
@@ -25,6 +26,17 @@ enum class BandTriangulation {
     Greedy,     // shortest next span
 };
 
+//! Which coordinates of a vertex no given contour holds fast.
+enum class Freedom : std::uint8_t { None, Height, Space };
+
+//! By vertex: what may move, and the part of the surface with which it moves.
+struct FreeVertices {
+    static constexpr std::uint32_t kNoGroup = ~0u;
+
+    std::vector<Freedom> freedom;
+    std::vector<std::uint32_t> group;
+};
+
 //! A surface that grows band by band between rings.
 class BandSurface {
  public:
@@ -35,16 +47,18 @@ class BandSurface {
 
     std::uint32_t add_point(const Point3& p);
     Ring add_ring(SampledContour shape);
-    //! Vertices near a saddle that no given contour holds fast.
-    void let_free(std::uint32_t vertex) { is_free_[vertex] = true; }
-    void let_free(const Ring& ring) {
-        for (const std::uint32_t vertex : ring.vertices) let_free(vertex);
+    void let_free(std::uint32_t vertex, Freedom freedom, std::uint32_t group) {
+        free_.freedom[vertex] = freedom;
+        free_.group[vertex] = group;
     }
-    const std::vector<bool>& free_vertices() const { return is_free_; }
+    void let_free(const Ring& ring, Freedom freedom, std::uint32_t group) {
+        for (const std::uint32_t vertex : ring.vertices) let_free(vertex, freedom, group);
+    }
+    const FreeVertices& free_vertices() const { return free_; }
     //! \pre no triangle has them
     void drop_points_from(std::size_t first) {
         soup_.points.resize(first);
-        is_free_.resize(first);
+        resize_free(first);
     }
     //! What is added from now on belongs to this part.
     void begin_part(std::uint32_t part) { part_ = part; }
@@ -53,6 +67,8 @@ class BandSurface {
     void add_band(const Ring& lower, const Ring& upper, bool is_hole);
     //! The same by least area, unless that joins a vertex that is on one ring twice to the same vertex of the other: then nothing.
     bool add_sound_band(const Ring& lower, const Ring& upper, bool is_hole);
+    //! A sheet between rings whose vertices, ring by ring, are these; its own move up and down if they have a group.
+    void add_sheet(const PlanSheet& sheet, std::vector<std::uint32_t> vertices, std::uint32_t group);
     //! The flat inside of a ring, facing up at a top.
     //! \throw InvalidInput if the ring crosses or touches itself
     void add_flat_cap(const Ring& ring, bool is_top, bool is_hole);
@@ -63,12 +79,16 @@ class BandSurface {
 
  private:
     void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, bool turned);
+    void resize_free(std::size_t size) {
+        free_.freedom.resize(size, Freedom::None);
+        free_.group.resize(size, FreeVertices::kNoGroup);
+    }
     void join_equal_parameters(const Ring& lower, const Ring& upper, bool is_hole);
 
     BandTriangulation triangulation_;
     TriangleSoup soup_;
     std::vector<std::uint32_t> parts_;  // by triangle
-    std::vector<bool> is_free_;         // by vertex
+    FreeVertices free_;
     std::uint32_t part_ = 0;
 };
 

@@ -17,42 +17,66 @@ using Kind = StrandEnd::Kind;
 
 const std::vector<SampledContour> kNoRows;
 
+constexpr double kSteepest = 2;  // rise over run of terrain, 63 degrees
+
+double plan_area(const std::vector<Point3>& ring) {
+    double twice = 0;
+    const Point3& o = ring.front();
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point3 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+        twice += (a.x - o.x) * (b.y - o.y) - (b.x - o.x) * (a.y - o.y);
+    }
+    return twice / 2;
+}
+
 class StrandBuilder {
  public:
     StrandBuilder(BandSurface& surface, const Strand& strand, std::size_t steps,
-                  const std::function<void(std::size_t)>& begin_place)
+                  const std::function<std::uint32_t(std::size_t)>& begin_place)
         : surface_(surface),
           strand_(strand),
           steps_(std::max<std::size_t>(steps, 1)),
           begin_place_(begin_place) {}
 
-    void run() {
+    std::size_t run() {
         collect_rings();
         align_rings();
         if (rings_.size() > 1) make_homotopy();
-        begin_place_(0);
+        begin(0);
         add_end(strand_.bottom, false);
         for (std::size_t k = 0; k + 1 < rings_.size(); ++k) {
-            begin_place_(k + 1);
+            begin(k + 1);
             add_between(k);
         }
-        begin_place_(rings_.size());
+        begin(rings_.size());
         add_end(strand_.top, true);
+        return straightened_;
     }
 
  private:
+    void begin(std::size_t place) {
+        group_ = begin_place_(place);
+        const auto at = strand_.joins.find(place);
+        join_ = at != strand_.joins.end() ? std::optional(at->second) : std::nullopt;
+    }
+
     void collect_rings() {
         if (strand_.bottom.kind == Kind::Ring) add_ring(*strand_.bottom.ring, strand_.bottom.node.z);
         for (std::size_t k = 0; k < strand_.contours.size(); ++k) {
             const bool first = k == 0, last = k + 1 == strand_.contours.size();
-            if (first && strand_.bottom.kind == Kind::Through)
+            if (first && is_own_ring(strand_.bottom))
                 add_ring(*strand_.bottom.ring, strand_.heights[k]);
-            else if (last && strand_.top.kind == Kind::Through)
+            else if (last && is_own_ring(strand_.top))
                 add_ring(*strand_.top.ring, strand_.heights[k]);
             else
                 add_ring(surface_.add_ring(strand_.contours[k]), strand_.heights[k]);
         }
         if (strand_.top.kind == Kind::Ring) add_ring(*strand_.top.ring, strand_.top.node.z);
+    }
+
+    //! Does the end say what vertices the last contour has?
+    static bool is_own_ring(const StrandEnd& end) {
+        return end.kind == Kind::Through || end.kind == Kind::Sheet;
     }
 
     void add_ring(Ring ring, double height) {
@@ -86,8 +110,13 @@ class StrandBuilder {
     void add_between(std::size_t k) {
         const bool at_saddle = is_bouquet(k) || is_bouquet(k + 1);
         const std::size_t steps = at_saddle ? std::max<std::size_t>(steps_, 3) : steps_;
+        const bool is_gentle = strand_.is_terrain && !at_saddle && is_gentle_between(k);
+        if ((join_ == Join::Sheet || (!join_ && is_gentle)) &&
+            add_sheet({{&rings_[k], true}, {&rings_[k + 1], false}}, std::nullopt, group_))
+            return;
+        if (join_) ++straightened_;
         std::vector<SampledContour> between;
-        if (!strand_.straight.contains(k + 1))
+        if (!join_)
             between = sliding_ && !at_saddle ? sliding_->contours_between(k, steps)
                                              : homotopy_->contours_between(k, steps);
         else if (at_saddle && surface_.add_sound_band(rings_[k], rings_[k + 1], strand_.is_hole))
@@ -96,19 +125,59 @@ class StrandBuilder {
             between = ContourHomotopy({rings_[k].shape, rings_[k + 1].shape}, {heights_[k], heights_[k + 1]},
                                       {.kind = HomotopyKind::Linear})
                           .contours_between(0, steps);
+        const std::uint32_t group = is_bouquet(k) ? strand_.bottom.group : strand_.top.group;
         Ring below = rings_[k];
         for (const SampledContour& shape : between) {
             Ring ring = surface_.add_ring(shape);
-            if (at_saddle) surface_.let_free(ring);
+            if (at_saddle) surface_.let_free(ring, Freedom::Space, group);
             surface_.add_band(below, ring, strand_.is_hole);
             below = std::move(ring);
         }
         surface_.add_band(below, rings_[k + 1], strand_.is_hole);
     }
 
+    //! Is the way from ring to ring, in the mean, not steeper than terrain is?
+    bool is_gentle_between(std::size_t k) const {
+        const auto &low = rings_[k].shape.points, &high = rings_[k + 1].shape.points;
+        const double gap =
+            std::abs(plan_area(low) - plan_area(high)) / ((perimeter(low) + perimeter(high)) / 2);
+        return kSteepest * gap >= heights_[k + 1] - heights_[k];
+    }
+    //! The same for a cone of this height, which is half as wide as its base's area over its perimeter tells.
+    static bool is_gentle_end(const Ring& last, double rise) {
+        return kSteepest * 2 * std::abs(plan_area(last.shape.points)) / perimeter(last.shape.points) >= rise;
+    }
+
+    struct SheetSide {
+        const Ring* ring;
+        bool is_lower;
+    };
+
+    bool add_sheet(const std::vector<SheetSide>& sides, const std::optional<Point3>& node,
+                   std::uint32_t group) {
+        std::vector<SheetRing> rings;
+        std::vector<std::uint32_t> vertices;
+        for (const auto& [ring, is_lower] : sides) {
+            rings.push_back({ring->shape.points, is_lower, strand_.is_hole});
+            vertices.insert(vertices.end(), ring->vertices.begin(), ring->vertices.end());
+        }
+        const auto sheet = plan_sheet(rings, node, steps_);
+        if (!sheet) return false;
+        surface_.add_sheet(*sheet, std::move(vertices), group);
+        return true;
+    }
+
     void add_end(const StrandEnd& end, bool is_top) {
         const Ring& last = is_top ? rings_.back() : rings_.front();
-        const bool straight = strand_.straight.contains(is_top ? rings_.size() : 0);
+        const bool is_ground = strand_.is_terrain && is_top != strand_.is_hole;  // not the underside
+        const bool is_gentle =
+            is_ground && is_gentle_end(last, std::abs(end.node.z - last.shape.points[0].z));
+        if (end.kind == Kind::Tip && (join_ == Join::Sheet || (!join_ && is_gentle)) &&
+            add_sheet({{&last, is_top}}, end.node, is_ground ? group_ : FreeVertices::kNoGroup))
+            return;
+        const bool straight = join_.has_value();
+        if (straight && (end.kind == Kind::Tip || end.kind == Kind::Ridge || end.kind == Kind::Approach))
+            ++straightened_;
         switch (end.kind) {
             case Kind::Flat:
                 return surface_.add_flat_cap(last, is_top, strand_.is_hole);
@@ -123,9 +192,10 @@ class StrandBuilder {
                 return add_rows(last, straight ? kNoRows : cap_rows(targets, end, is_top), ridge, is_top);
             }
             case Kind::Approach:
-                return add_rows(last, straight ? kNoRows : end.approach, *end.ring, is_top, true);
+                return add_rows(last, straight ? kNoRows : end.approach, *end.ring, is_top, end.group);
             case Kind::Ring:
             case Kind::Through:
+            case Kind::Sheet:
                 return;
         }
     }
@@ -136,7 +206,7 @@ class StrandBuilder {
 
     //! From a contour outwards, up or down.
     void add_rows(Ring from, const std::vector<SampledContour>& rows, const Ring& end, bool upward,
-                  bool at_saddle = false) {
+                  const std::optional<std::uint32_t>& free_group = std::nullopt) {
         const auto add = [&](const Ring& to) {
             if (upward)
                 surface_.add_band(from, to, strand_.is_hole);
@@ -145,7 +215,7 @@ class StrandBuilder {
         };
         for (const SampledContour& row : rows) {
             Ring ring = surface_.add_ring(row);
-            if (at_saddle) surface_.let_free(ring);
+            if (free_group) surface_.let_free(ring, Freedom::Space, *free_group);
             add(ring);
             from = std::move(ring);
         }
@@ -216,7 +286,10 @@ class StrandBuilder {
     BandSurface& surface_;
     const Strand& strand_;
     std::size_t steps_;
-    const std::function<void(std::size_t)>& begin_place_;
+    const std::function<std::uint32_t(std::size_t)>& begin_place_;
+    std::uint32_t group_ = 0;   // of the place at hand
+    std::optional<Join> join_;  // of the place at hand, if it is to be another than the homotopy's
+    std::size_t straightened_ = 0;
     std::vector<Ring> rings_;  // given contours and rings at saddles that take part in the homotopy
     std::vector<double> heights_;
     std::optional<ContourHomotopy> homotopy_;
@@ -226,9 +299,9 @@ class StrandBuilder {
 
 }  // namespace
 
-void add_strand(BandSurface& surface, const Strand& strand, std::size_t steps,
-                const std::function<void(std::size_t place)>& begin_place) {
-    StrandBuilder(surface, strand, steps, begin_place).run();
+std::size_t add_strand(BandSurface& surface, const Strand& strand, std::size_t steps,
+                       const std::function<std::uint32_t(std::size_t place)>& begin_place) {
+    return StrandBuilder(surface, strand, steps, begin_place).run();
 }
 
 }  // namespace stratareeb

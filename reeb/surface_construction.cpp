@@ -20,9 +20,10 @@
 #include "reeb/graph_conditions.h"
 #include "reeb/graph_strands.h"
 #include "reeb/guiding_curve.h"
-#include "reeb/plan_fairing.h"
+#include "reeb/plan_sheet.h"
 #include "reeb/point_math.h"
 #include "reeb/strand_surface.h"
+#include "reeb/surface_fairing.h"
 
 namespace stratareeb {
 
@@ -30,19 +31,33 @@ namespace {
 
 using Kind = StrandEnd::Kind;
 
-constexpr std::size_t kRounds = 5;  // of joining straight what crosses, before and after relaxing
-constexpr std::size_t kFairingRounds = 4;
+constexpr std::size_t kRounds = 8;  // of joining otherwise what crosses
 constexpr std::size_t kCrossingsLookedAt =
     1000;  // pairs of triangles; where there are more, they come up again
 
+//! An edge, and a place on it (see Strand::joins).
+using EdgePlace = std::pair<std::uint32_t, std::size_t>;
+
+//! What is done otherwise so that nothing crosses.
+struct Remedies {
+    std::set<std::uint32_t> rigid;  // nodes beside which the surface stays as guiding curves make it
+    std::map<EdgePlace, Join> joins;
+};
+
+//! By node: the sheet that is its, or that there is none. They are the same in all rounds.
+using Sheets = std::map<std::uint32_t, std::optional<PlanSheet>>;
+
 class Construction {
  public:
-    //! An edge, and a place on it (see Strand::straight).
-    using Place = std::pair<std::uint32_t, std::size_t>;
+    using Place = EdgePlace;
 
-    Construction(const EnhancedReebGraph& graph, const SurfaceOptions& options,
-                 const std::set<Place>& straight)
-        : graph_(graph), options_(options), surface_(options.triangulation) {
+    Construction(const EnhancedReebGraph& graph, const SurfaceOptions& options, const Remedies& remedies,
+                 Sheets& sheets)
+        : graph_(graph),
+          options_(options),
+          remedies_(remedies),
+          sheets_(sheets),
+          surface_(options.triangulation) {
         const auto shapes = strands_of(graph, options.samples);
         const auto is_hole = hole_edges(graph, shapes);
         down_.resize(graph.nodes.size());
@@ -54,27 +69,52 @@ class Construction {
                                 .homotopy = edge.homotopy,
                                 .lean = std::nullopt,
                                 .is_hole = is_hole[e],
-                                .bottom = {.node = graph.nodes[edge.from].position},
-                                .top = {.node = graph.nodes[edge.to].position}});
+                                .bottom = {.node = graph.nodes[edge.from].position, .group = edge.from},
+                                .top = {.node = graph.nodes[edge.to].position, .group = edge.to}});
+            strands_.back().is_terrain = options.terrain && edge.curve.points.empty();
             if (!edge.curve.points.empty()) strands_.back().lean = curve_of(graph, edge);
             up_[edge.from].push_back(e);
             down_[edge.to].push_back(e);
         }
-        for (const auto& [edge, place] : straight) strands_[edge].straight.insert(place);
+        for (const auto& [place, join] : remedies.joins) strands_[place.first].joins[place.second] = join;
     }
 
-    ConstructedSurface run(std::size_t fairing_rounds) {
+    ConstructedSurface run() {
         for (std::uint32_t n = 0; n < graph_.nodes.size(); ++n) make_node(n);
+        ConstructedSurface result;
         for (std::uint32_t e = 0; e < strands_.size(); ++e)
-            add_strand(surface_, strands_[e], options_.steps, [&](std::size_t place) {
-                surface_.begin_part(static_cast<std::uint32_t>(places_.size()));
-                places_.emplace_back(e, place);
+            result.straightened += add_strand(surface_, strands_[e], options_.steps, [&](std::size_t place) {
+                const auto part = begin_place({e, place});
+                return static_cast<std::uint32_t>(graph_.nodes.size()) + part;
             });
-        ConstructedSurface result{.soup = surface_.soup(), .triangle_edge = {}, .crossings = {}};
-        fair_in_plan(result.soup, surface_.free_vertices(), fairing_rounds);
+        for (const NodeSheet& sheet : node_sheets_) {
+            const auto& [e, at] = sheet.place;
+            begin_place({e, std::min(at, rings_of(strands_[e]))});
+            surface_.add_sheet(*sheets_.at(sheet.node), sheet.vertices, sheet.node);
+        }
+        result.soup = surface_.soup();
+        if (options_.fairing) fair_surface(result.soup, surface_.free_vertices(), remedies_.rigid);
         for (const std::uint32_t part : surface_.triangle_parts())
             result.triangle_edge.push_back(places_[part].first);
         return result;
+    }
+
+    //! Join a place otherwise the next time. \return whether there is another way
+    bool find_remedy(const Place& place, Remedies& remedies) const {
+        const auto& [e, at] = place;
+        const Strand& strand = strands_[e];
+        for (const StrandEnd* end : {&strand.bottom, &strand.top}) {
+            const bool is_beside =
+                at == (end == &strand.bottom ? 0 : rings_of(strand)) ||
+                (end->kind == Kind::Ring && at == (end == &strand.bottom ? 1 : rings_of(strand) - 1));
+            const bool is_saddle =
+                end->kind == Kind::Approach || end->kind == Kind::Ring || end->kind == Kind::Sheet;
+            if (is_beside && is_saddle && options_.fairing && remedies.rigid.insert(end->group).second)
+                return true;
+            if (is_beside && end->kind == Kind::Sheet) return false;
+        }
+        const auto [known, is_new] = remedies.joins.try_emplace(place, Join::Sheet);
+        return is_new || std::exchange(known->second, Join::Straight) == Join::Sheet;
     }
 
     //! Pairs of places whose triangles cross.
@@ -111,6 +151,24 @@ class Construction {
         bool is_lower;
     };
 
+    //! A sheet at a node, and the vertices of its rings.
+    struct NodeSheet {
+        std::uint32_t node;
+        std::vector<std::uint32_t> vertices;
+        Place place;
+    };
+
+    std::uint32_t begin_place(const Place& place) {
+        const auto part = static_cast<std::uint32_t>(places_.size());
+        surface_.begin_part(part);
+        places_.push_back(place);
+        return part;
+    }
+
+    static std::size_t rings_of(const Strand& strand) {
+        return strand.contours.size() + (strand.bottom.kind == Kind::Ring) + (strand.top.kind == Kind::Ring);
+    }
+
     std::string name(std::uint32_t n) const { return "node " + text_of(graph_.nodes[n].id); }
 
     StrandEnd& end(const Side& side, std::uint32_t edge) {
@@ -137,8 +195,50 @@ class Construction {
         if (below == 1 && above == 1)
             throw InvalidInput(
                 name(n) + ": one edge ends and one starts there, so it is no critical point; join the edges");
+        if ((below == 1 || above == 1) && make_sheet(n, lower, upper)) return;
         const bool from_lower = is_given(n, lower) || (!is_given(n, upper) && below >= above);
         make_saddle(n, from_lower ? lower : upper, from_lower ? upper : lower);
+    }
+
+    //! One height for each place between the contours around the node, where that can be.
+    bool make_sheet(std::uint32_t n, const Side& lower, const Side& upper) {
+        const auto known = sheets_.find(n);
+        if (known != sheets_.end() && !known->second) return false;
+        if (known == sheets_.end()) {
+            std::vector<SheetRing> rings;
+            bool is_possible = true;
+            for (const Side& side : {lower, upper})
+                for (const std::uint32_t e : side.edges) {
+                    const StrandEnd& far = side.is_lower ? strands_[e].bottom : strands_[e].top;
+                    if (strands_[e].contours.size() == 1 && far.node.z == end_height(side, e))
+                        is_possible = false;
+                    rings.push_back({end_contour(side, e).points, side.is_lower, strands_[e].is_hole});
+                }
+            auto sheet =
+                is_possible ? plan_sheet(rings, graph_.nodes[n].position, options_.steps) : std::nullopt;
+            if (!sheets_.emplace(n, std::move(sheet)).first->second) return false;
+        }
+        NodeSheet sheet{.node = n, .vertices = {}, .place = {}};
+        for (const Side& side : {lower, upper})
+            for (const std::uint32_t e : side.edges) {
+                const Ring ring = sheet_ring(side, e);
+                sheet.vertices.insert(sheet.vertices.end(), ring.vertices.begin(), ring.vertices.end());
+            }
+        const bool is_merge = upper.edges.size() == 1;
+        const std::uint32_t e = is_merge ? upper.edges.front() : lower.edges.front();
+        sheet.place = {e, is_merge ? 0 : ~std::size_t{0}};  // the top, once its strand knows its rings
+        node_sheets_.push_back(std::move(sheet));
+        return true;
+    }
+
+    //! An edge's only contour may bound sheets on both sides.
+    const Ring& sheet_ring(const Side& side, std::uint32_t e) {
+        StrandEnd& own = end(side, e);
+        const StrandEnd& far = side.is_lower ? strands_[e].bottom : strands_[e].top;
+        const bool is_shared = strands_[e].contours.size() == 1 && far.kind == Kind::Sheet;
+        own.kind = Kind::Sheet;
+        own.ring = is_shared ? *far.ring : surface_.add_ring(end_contour(side, e));
+        return *own.ring;
     }
 
     void make_leaf(std::uint32_t n, const Side& side) {
@@ -260,7 +360,8 @@ class Construction {
         for (const Point3& p : shape.points) {
             const auto known = vertices.find({p.x, p.y, p.z});
             ring.vertices.push_back(known != vertices.end() ? known->second : surface_.add_point(p));
-            if (!through && known == vertices.end()) surface_.let_free(ring.vertices.back());
+            if (!through && known == vertices.end())
+                surface_.let_free(ring.vertices.back(), Freedom::Space, strand_end.group);
         }
         strand_end.ring = std::move(ring);
     }
@@ -314,24 +415,32 @@ class Construction {
 
     const EnhancedReebGraph& graph_;
     const SurfaceOptions& options_;
+    const Remedies& remedies_;
+    Sheets& sheets_;
     BandSurface surface_;
     std::vector<Strand> strands_;
+    std::vector<NodeSheet> node_sheets_;
     std::vector<Place> places_;  // by part of the surface
     std::vector<std::vector<std::uint32_t>> down_,
         up_;  // by node: edges that end there, edges that start there
 };
 
+std::set<EdgePlace> places_in(const std::set<std::pair<EdgePlace, EdgePlace>>& pairs) {
+    std::set<EdgePlace> places;
+    for (const auto& [a, b] : pairs) places.insert({a, b});
+    return places;
+}
+
 }  // namespace
 
 ConstructedSurface construct_surface(const EnhancedReebGraph& graph, const SurfaceOptions& options) {
     check_graph(graph);
-    std::set<Construction::Place> straight;
+    Remedies remedies;
+    Sheets sheets;
     std::optional<ConstructedSurface> best;  // with the fewest crossings so far
-    bool faired = false;
     for (std::size_t round = 1;; ++round) {
-        Construction construction(graph, options, straight);
-        ConstructedSurface surface = construction.run(faired ? kFairingRounds : 0);
-        surface.straightened = straight.size();
+        Construction construction(graph, options, remedies, sheets);
+        ConstructedSurface surface = construction.run();
         if (!options.avoid_crossings) return surface;
         const auto pairs = construction.crossing_places(surface.soup);
         for (const auto& [a, b] : pairs)
@@ -339,12 +448,9 @@ ConstructedSurface construct_surface(const EnhancedReebGraph& graph, const Surfa
                                                : construction.text_of_place(a) + ", and " +
                                                      construction.text_of_place(b));
         if (!best || pairs.size() < best->crossings.size()) best = std::move(surface);
-        if (pairs.empty()) return std::move(*best);
-        // Straight where contours between cross something; then relaxed; then both.
-        const std::size_t before = straight.size();
-        for (const auto& [a, b] : pairs) straight.insert({a, b});
-        if (straight.size() > before && round % kRounds != 0) continue;
-        if (std::exchange(faired, true)) return std::move(*best);
+        bool is_new = false;
+        for (const EdgePlace& place : places_in(pairs)) is_new |= construction.find_remedy(place, remedies);
+        if (!is_new || round == kRounds) return std::move(*best);
     }
 }
 

@@ -18,6 +18,9 @@ struct SurfaceOptions {
     double reach = 0.25;       // share of a contour that is drawn to a critical point with it (see Guide)
     BandTriangulation triangulation = BandTriangulation::Automatic;
     bool avoid_crossings = true;  // see below
+    bool fairing = true;          // beside saddles and over terrain, see below
+    bool terrain =
+        false;  // gentle places as thin plates over the plan instead of the edges' homotopies, see below
 };
 
 //! A closed surface, outward, with what each triangle was made from.
@@ -32,13 +35,16 @@ struct ConstructedSurface {
 
 //! The surface that an enhanced Reeb graph describes (thesis 2.1.2.3 and 2.1.2.4). Along an edge, contours between the given
 //! ones follow its homotopy, and lean along its curve if it has points of its own; a minimum or maximum closes the last contour by
-//! a cap (see CapProfile), or flat if that contour lies at its height. At a saddle, contours of the side with more of them are drawn to
-//! the critical point by quadrant guiding curves, or pass through it already; there they run together into those of the other side. A node
-//! at which an outer contour and a hole's begin, or end, becomes a ridge all around between them. All contours between
-//! have the heights between, so the surface rises and falls nowhere but along edges: its Reeb graph over height
-//! is the given one (plateaus as one node). All given contours are on the surface, point by point. Where contours between would cross
-//! something, those around are joined straight; if that does not help, what is near saddles is relaxed in plan (see fair_in_plan); what
-//! crosses still is named.
+//! a cap (see CapProfile), or flat if that contour lies at its height. A node at which an outer contour and a hole's begin, or end, becomes
+//! a ridge all around between them.
+//! At a saddle where no contour crosses another one in plan, what is between them is a sheet with one height for each place (see plan_sheet).
+//! At any other one, contours of the side with more of them are drawn to the critical point by quadrant guiding curves, or pass through it
+//! already; there they run together into those of the other side. With `fairing`, both then bend as little as they can without a change
+//! of the Reeb graph, and without a kink at the given contours (see fair_surface).
+//! With `terrain`, places no steeper than 63 degrees in the mean are such sheets too, along edges without a curve of their own.
+//! The surface rises and falls nowhere but along edges: its Reeb graph over height is the given one (plateaus as one node). All given contours
+//! are on the surface, point by point. Where contours between would cross something, those around are joined by a sheet, or else straight,
+//! and saddles are left as made; what crosses still is named.
 //! \throw InvalidInput if faults_of(graph) finds any, or where a node leaves open how its contours run together: it names the node and
 //! the way out.
 ConstructedSurface construct_surface(const EnhancedReebGraph& graph, const SurfaceOptions& options = {});

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reeb/terrain_stack.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "mesh/ring_crossings.h"
+#include "reeb/graph_strands.h"
+
+namespace stratareeb {
+
+namespace {
+
+constexpr std::size_t kSamples = 96;  // of a contour that is no polygon
+
+std::vector<Point2> outline(const SampledContour& contour) {
+    std::vector<Point2> points;
+    for (const Point3& p : contour.points) points.push_back({p.x, p.y});
+    return points;
+}
+
+bool is_level(const SampledContour& contour) {
+    return std::ranges::all_of(contour.points,
+                               [&](const Point3& p) { return p.z == contour.points.front().z; });
+}
+
+bool surrounds(const std::vector<Point2>& ring, const Point2& p) {
+    bool inside = false;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
+            inside = !inside;
+    }
+    return inside;
+}
+
+bool narrows_upward(const GraphStrand& strand, bool is_hole) {
+    std::vector<std::vector<Point2>> rings;
+    for (const SampledContour& contour : strand.contours) {
+        if (!is_level(contour)) return false;
+        rings.push_back(outline(contour));
+    }
+    for (std::size_t k = 0; k + 1 < rings.size(); ++k) {
+        const auto &outer = rings[is_hole ? k + 1 : k], &inner = rings[is_hole ? k : k + 1];
+        if (!surrounds(outer, inner.front()) ||
+            !ring_crossings(std::vector{outer, inner}, {.most = 1}).empty())
+            return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+bool is_terrain(const EnhancedReebGraph& graph) {
+    const auto strands = strands_of(graph, kSamples);
+    const auto is_hole = hole_edges(graph, strands);
+    std::vector<bool> goes_on(graph.nodes.size(), false);
+    for (const EnhancedEdge& edge : graph.edges) goes_on[edge.from] = true;
+    for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+        const bool is_roof = is_hole[e] && !goes_on[graph.edges[e].to];
+        if (is_roof || !narrows_upward(strands[e], is_hole[e])) return false;
+    }
+    return true;
+}
+
+}  // namespace stratareeb
