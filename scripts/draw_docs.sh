@@ -33,3 +33,5 @@ build/stratareeb section "$folder/fence" --through GBH06,GBH02,GBH01,GBH03 -o do
     --title "Sighthill, a fence through four boreholes" >/dev/null
 build/stratareeb section "$folder/fence" --at-z 46 -o docs/images/level.png --overwrite >/dev/null
 build/stratareeb map "$folder/fence" --show thickness --unit clay -o docs/images/map.png --overwrite >/dev/null
+build/stratareeb refine examples/meshes/bracket.obj -o "$folder/bracket.ply" --levels 4 --limit \
+    --crease-edges examples/meshes/bracket_creases.txt --picture docs/images/refine.png --overwrite >/dev/null
