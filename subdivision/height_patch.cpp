@@ -16,10 +16,10 @@ constexpr double kFairWave = 0.05;     // of a span: bending weighs as much as s
 constexpr double kBorderWeight = 1e3;  // of a border sample, in mean weights of one inside
 constexpr double kGuideWeight =
     3;  // of a guide, in weights of a sample inside: a triangle's centre against its corners
-constexpr double kMostUrgent = 1e5;  // of the weight of a sample with the loosest tolerance
+constexpr double kMostUrgent = 1e4;  // of the weight of a sample with the loosest tolerance
 // Spans are halved where samples are off by more than this share of the worst: what is steep at a few places gets its rows
 // and columns there and not everywhere.
-constexpr double kWorthHalving = 0.2;
+constexpr double kWorthHalving = 0.1;
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 using Matrix = Eigen::SparseMatrix<double>;

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Smooth CAD solids of models whose volumes and faces are known.
+#include "io/write_step.h"
+
+#include <gtest/gtest.h>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRep_Tool.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Shape.hxx>
+
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <numbers>
+
+#include "boreholes/errors.h"
+#include "io/smooth_bodies.h"
+#include "tests/grid_model.h"
+
+namespace stratareeb {
+namespace {
+
+using test::grid_model;
+using test::GridModel;
+
+void expect_sound(const SmoothBodies& made, std::size_t bodies) {
+    ASSERT_EQ(made.bodies.size(), bodies);
+    EXPECT_TRUE(made.notes.empty()) << made.notes.front();
+    for (std::size_t b = 0; b < bodies; ++b) {
+        SCOPED_TRACE(made.reports[b].name);
+        const TopoDS_Shape& solid = *made.bodies[b].solid;
+        EXPECT_TRUE(made.reports[b].smooth);
+        EXPECT_EQ(solid.ShapeType(), TopAbs_SOLID);
+        EXPECT_TRUE(BRepCheck_Analyzer(solid).IsValid());
+        for (TopExp_Explorer it(solid, TopAbs_SHELL); it.More(); it.Next())
+            EXPECT_TRUE(BRep_Tool::IsClosed(it.Current()));
+        EXPECT_GT(made.reports[b].volume, 0);
+    }
+}
+
+std::size_t shared_faces(const CadBody& a, const CadBody& b) {
+    TopTools_IndexedMapOfShape faces;
+    TopExp::MapShapes(*a.solid, TopAbs_FACE, faces);
+    std::size_t shared = 0;
+    for (TopExp_Explorer it(*b.solid, TopAbs_FACE); it.More(); it.Next())
+        shared += faces.Contains(it.Current());
+    return shared;
+}
+
+TEST(SmoothStep, level_layers_are_boxes) {
+    const auto made = smooth_bodies(grid_model({.thickness = {test::constant(2), test::constant(3)}}));
+    expect_sound(made, 2);
+    for (std::size_t b = 0; b < 2; ++b) EXPECT_EQ(made.reports[b].faces, 6u);
+    EXPECT_NEAR(made.reports[0].volume, 2e4, 1e-6 * 2e4);
+    EXPECT_NEAR(made.reports[1].volume, 3e4, 1e-6 * 3e4);
+    EXPECT_EQ(shared_faces(made.bodies[0], made.bodies[1]), 1u);
+}
+
+TEST(SmoothStep, a_tilted_plane_stays_one) {
+    const auto made = smooth_bodies(grid_model(
+        {.ground = [](double x, double y) { return 0.2 * x - 0.1 * y; }, .thickness = {test::constant(4)}}));
+    expect_sound(made, 1);
+    EXPECT_EQ(made.reports[0].faces, 6u);
+    EXPECT_LT(made.reports[0].off, 1e-6 * 100);
+    EXPECT_NEAR(made.reports[0].volume, 4e4, 1e-6 * 4e4);
+}
+
+TEST(SmoothStep, a_paraboloid_has_its_volume) {
+    // Ground 10 - r^2 / 1000 about the middle over a level base at 0.
+    const auto height = [](double x, double y) {
+        return 10 - ((x - 50) * (x - 50) + (y - 50) * (y - 50)) / 1000;
+    };
+    const auto made = smooth_bodies(grid_model({.ground = height, .thickness = {height}}));
+    expect_sound(made, 1);
+    EXPECT_EQ(made.reports[0].faces, 6u);
+    const double exact = 1e5 - 1e8 / 6 / 1000;
+    EXPECT_NEAR(made.reports[0].volume, exact, 2e-3 * exact);
+}
+
+double lens(double x, double y, double cx, double cy, double radius, double height) {
+    const double r = std::hypot(x - cx, y - cy) / radius;
+    return r < 1 - 1e-9 ? height * (1 - r * r) : 0;
+}
+
+TEST(SmoothStep, a_lens_ends_in_an_edge_that_three_faces_share) {
+    const auto made = smooth_bodies(grid_model(
+        {.cells = 48,
+         .thickness = {test::constant(5), [](double x, double y) { return lens(x, y, 50, 50, 30, 6); },
+                       test::constant(5)},
+         .rounds = {{50, 50, 30}}}));
+    expect_sound(made, 3);
+    EXPECT_EQ(made.reports[0].faces, 7u);  // top, four walls, on the lens, on what is below it
+    EXPECT_EQ(made.reports[1].faces, 2u);
+    EXPECT_EQ(made.reports[2].faces, 7u);
+    EXPECT_EQ(shared_faces(made.bodies[0], made.bodies[1]), 1u);
+    EXPECT_EQ(shared_faces(made.bodies[1], made.bodies[2]), 1u);
+    EXPECT_EQ(shared_faces(made.bodies[0], made.bodies[2]), 1u);
+    const double exact = std::numbers::pi * 30 * 30 * 6 / 2;
+    EXPECT_NEAR(made.reports[1].volume, exact, 0.02 * exact);
+}
+
+TEST(SmoothStep, layers_with_a_window_and_of_two_bodies) {
+    const auto away_from = [](double radius) {
+        return [radius](double x, double y) {
+            const double r = std::hypot(x - 50, y - 50);
+            return r > radius + 1e-9 ? 0.1 * (r - radius) : 0;
+        };
+    };
+    const auto window =
+        smooth_bodies(grid_model({.cells = 48,
+                                  .thickness = {test::constant(5), away_from(20), test::constant(5)},
+                                  .rounds = {{50, 50, 20}}}));
+    expect_sound(window, 3);
+    EXPECT_EQ(window.reports[1].faces, 6u);
+    const auto two = smooth_bodies(grid_model({.cells = 48,
+                                               .thickness = {test::constant(5),
+                                                             [](double x, double y) {
+                                                                 return lens(x, y, 25, 50, 18, 4) +
+                                                                        lens(x, y, 75, 50, 18, 4);
+                                                             },
+                                                             test::constant(5)},
+                                               .rounds = {{25, 50, 18}, {75, 50, 18}}}));
+    expect_sound(two, 4);
+    EXPECT_EQ(two.bodies[1].name, "layer 2");
+    EXPECT_EQ(two.bodies[2].name, "layer 2, body 2");
+}
+
+TEST(SmoothStep, what_cannot_be_smooth_has_facets_and_neighbours_stay) {
+    SmoothBodiesOptions strict;
+    strict.volume_tolerance = 1e-12;
+    const auto height = [](double x, double y) { return 5 + std::sin(x / 7) * std::cos(y / 9); };
+    const auto made =
+        smooth_bodies(grid_model({.ground = height, .thickness = {height, test::constant(3)}}), strict);
+    ASSERT_EQ(made.bodies.size(), 2u);
+    EXPECT_FALSE(made.reports[0].smooth);
+    ASSERT_FALSE(made.notes.empty());
+    EXPECT_NE(made.notes[0].find("'layer 1' is made of facets"), std::string::npos);
+    EXPECT_TRUE(BRepCheck_Analyzer(*made.bodies[0].solid).IsValid());
+    EXPECT_NEAR(made.reports[0].volume, made.reports[0].mesh_volume, 1e-9 * made.reports[0].mesh_volume);
+}
+
+TEST(SmoothStep, files_are_small_and_repeatable) {
+    const auto file = std::filesystem::temp_directory_path() / "smooth_step_test.step";
+    const auto model = grid_model({.thickness = {test::constant(2), test::constant(3)}});
+    const auto report = write_smooth_step(file, model);
+    EXPECT_EQ(report.solids, 2u);
+    EXPECT_EQ(report.faces, 12u);
+    EXPECT_LT(std::filesystem::file_size(file), 20'000u * report.faces);
+    std::filesystem::remove(file);
+}
+
+}  // namespace
+}  // namespace stratareeb
