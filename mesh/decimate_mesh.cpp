@@ -64,7 +64,7 @@ class Queue {
         put(v);
     }
 
-    //! The best way that was not found to lead too far off.
+    //! The best way that was not found to lead too far off or across.
     void put(Vertex v) {
         const auto i = static_cast<std::size_t>(v.idx());
         const auto choices = surface_.choices(v);
@@ -86,7 +86,7 @@ class Queue {
         const auto i = static_cast<std::size_t>(v.idx());
         if (surface_.mesh().status(v).deleted() || !is_queued_[i] || cost != cost_[i]) return false;
         if (is_stale_[i] || !is_still_possible(v, into)) return renew(v), false;
-        if (!surface_.is_near(into)) return ++passed_over_[i], put(v), false;
+        if (!surface_.is_sound(into)) return ++passed_over_[i], put(v), false;
         neighbours_.clear();
         for (const Vertex u : surface_.mesh().vv_range(v)) neighbours_.push_back(u);
         surface_.collapse(into);
@@ -140,11 +140,11 @@ class MeshDecimation {
         DecimatedMesh result;
         result.triangles_before = before_.n_faces();
         report("looking for crossings", 0);
-        const bool crosses = self_intersections(soup_, 0).count > 0;
+        crosses_ = self_intersections(soup_, 0).count > 0;
         for (double margin = kFirstMargin * edge_;; margin *= 2) {
             collapse();
             places_to_keep_.clear();
-            if (!crosses) find_crossings();
+            if (!crosses_) find_crossings();
             result.deviation = measure();
             if (places_to_keep_.empty()) break;
             result.kept_places += places_to_keep_.size();
@@ -154,7 +154,7 @@ class MeshDecimation {
             !options_.triangles || soup_of_result_.triangles.size() <= *options_.triangles;
         result.mesh = half_edge_mesh(soup_of_result_);
         update_vertex_normals(result.mesh);
-        result.note = note(result, crosses);
+        result.note = note(result);
         return result;
     }
 
@@ -174,9 +174,10 @@ class MeshDecimation {
             .sample_spacing = edge_,
             .min_cosine = std::cos(radians(options_.max_turn_deg)),
             .min_sine = std::max(std::sin(radians(options_.min_angle_deg)), kFlattest),
-            .straight = kStraight * diagonal_};
+            .straight = kStraight * diagonal_,
+            .crossings = crosses_};
         if (options_.max_error) limits.distance = kDistanceShare * allowed();
-        SurfaceCollapse surface(mesh, kept_, limits);
+        SurfaceCollapse surface(mesh, soup_, kept_, limits);
         const std::size_t target = options_.triangles.value_or(0), all = mesh.n_faces();
         Queue(surface).run(target, [&](std::size_t left) {
             report("collapsing edges",
@@ -247,14 +248,14 @@ class MeshDecimation {
             throw GeometryError("no decimation of this mesh is close enough and free of crossings");
     }
 
-    std::string note(const DecimatedMesh& result, bool crosses) const {
+    std::string note(const DecimatedMesh& result) const {
         std::string text =
             fmt::format("decimated from {} to {} triangles; the surfaces are at most {:.3g} apart",
                         result.triangles_before, result.mesh.n_faces(), result.deviation);
         if (!result.target_reached)
             text += fmt::format("; {} can't be reached without {}", *options_.triangles,
                                 options_.max_error ? "more error or a change of shape" : "a change of shape");
-        if (crosses) text += "; the input crosses itself, and so may the result";
+        if (crosses_) text += "; the input crosses itself, and so may the result";
         return text;
     }
 
@@ -265,6 +266,7 @@ class MeshDecimation {
     std::vector<Box> places_to_keep_;
     Point centre_;
     double diagonal_ = 0, edge_ = 0;
+    bool crosses_ = false;  // the input itself
 };
 
 void check(const DecimateOptions& options) {

@@ -26,15 +26,16 @@ struct DecimatedMesh {
     //! the input's vertices.
     double deviation = 0;
     bool target_reached = true;
-    std::size_t kept_places =
-        0;             // where triangles had to stay, as the surface would have crossed itself or strayed
-    std::string note;  // for people
+    std::size_t kept_places = 0;  // around which triangles had to stay, found when the result was measured
+    std::string note;             // for people
 };
 
 //! Fewer triangles for a mesh: half-edge collapses in the order of their quadric error (M. Garland and P. Heckbert 1997;
-//! OpenMesh's decimater). Components, genus and boundary loops stay; boundaries lose vertices from straight parts only. The
-//! result is checked: if it crosses itself where the input does not, or is farther off than asked, the input's triangles
-//! are kept around there and all is done again. So a watertight mesh stays watertight. Deterministic.
+//! OpenMesh's
+//! half-edges and quadrics). Components, genus and boundary loops stay; boundaries lose vertices from straight parts only. A
+//! collapse that would make the surface cross itself, or lead too far off, is not done; so a watertight mesh stays
+//! watertight. The result is measured anew: where it is farther off than asked between the places looked at, the input's
+//! triangles are kept around there and all is done again. Deterministic.
 //! \pre the mesh has no deleted elements
 //! \throw InvalidInput if neither a number of triangles nor an error is given, or one is negative
 DecimatedMesh decimate_mesh(const TriMesh& mesh, const DecimateOptions& options);

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mesh/triangle_soup.h"
+#include "mesh/triangle_contact.h"
 
 namespace stratareeb {
 
@@ -39,6 +39,15 @@ bool has_area(const Corners& t) {
     return !CGAL::collinear(exact(t[0]), exact(t[1]), exact(t[2]));
 }
 
+AxisBox box_of(const TriangleSoup& soup, const std::array<std::uint32_t, 3>& triangle) {
+    AxisBox box;
+    for (const auto v : triangle) {
+        const Point3& p = soup.points[v];
+        box.include({{p.x, p.y, p.z}, {p.x, p.y, p.z}});
+    }
+    return box;
+}
+
 double square_distance(const Point& p, const Corners& t) {
     using Kernel = CGAL::Simple_cartesian<double>;
     const auto plain = [](const Point& q) { return Kernel::Point_3(q[0], q[1], q[2]); };
@@ -47,9 +56,11 @@ double square_distance(const Point& p, const Corners& t) {
 
 }  // namespace
 
-SurfaceCollapse::SurfaceCollapse(const TriMesh& mesh, std::vector<char> kept, const Limits& limits)
+SurfaceCollapse::SurfaceCollapse(const TriMesh& mesh, const TriangleSoup& soup, std::vector<char> kept,
+                                 const Limits& limits)
     : limits_(limits),
       mesh_(mesh),
+      soup_(soup),
       triangles_(mesh.n_faces()),
       kept_(std::move(kept)),
       quadric_(mesh.n_vertices()),
@@ -57,6 +68,11 @@ SurfaceCollapse::SurfaceCollapse(const TriMesh& mesh, std::vector<char> kept, co
       next_in_face_(mesh.n_vertices(), kNone) {
     add_quadrics();
     if (limits_.distance) original_.emplace(triangle_soup(mesh));
+    if (limits_.crossings) return;
+    std::vector<AxisBox> boxes;
+    boxes.reserve(soup_.triangles.size());
+    for (const auto& triangle : soup_.triangles) boxes.push_back(box_of(soup_, triangle));
+    boxes_.emplace(std::move(boxes));
 }
 
 //! Squared distances to the planes around a vertex, weighted by area.
@@ -81,17 +97,20 @@ SurfaceCollapse::Fan SurfaceCollapse::fan_of(Halfedge into) const {
     Fan fan;
     for (const Face f : mesh_.vf_range(gone)) {
         Corners before, after;
+        std::array<std::uint32_t, 3> vertices;
         int k = 0;
         bool vanishes = false;
         for (const Vertex v : mesh_.fv_range(f)) {
             vanishes |= v == kept;
             before[k] = mesh_.point(v);
+            vertices[k] = static_cast<std::uint32_t>((v == gone ? kept : v).idx());
             after[k++] = mesh_.point(v == gone ? kept : v);
         }
         if (vanishes) continue;
         fan.faces.push_back(f);
         fan.before.push_back(before);
         fan.after.push_back(after);
+        fan.vertices.push_back(vertices);
     }
     return fan;
 }
@@ -177,6 +196,39 @@ bool SurfaceCollapse::is_near(Halfedge into) const {
            std::ranges::all_of(fan.after, [&](const Corners& t) { return is_near_new(t); });
 }
 
+//! New triangles against all that are left around, and among each other.
+bool SurfaceCollapse::comes_to_cross(Halfedge into) {
+    if (!boxes_) return false;
+    const Fan fan = fan_of(into);
+    const auto first = static_cast<std::uint32_t>(soup_.triangles.size());
+    soup_.triangles.insert(soup_.triangles.end(), fan.vertices.begin(), fan.vertices.end());
+    const auto end = static_cast<std::uint32_t>(soup_.triangles.size());
+    const TriangleContact contact(soup_);
+    const auto gone = static_cast<std::uint32_t>(mesh_.from_vertex_handle(into).idx());
+    bool crosses = false;
+    for (auto t = first; t < end && !crosses; ++t) {
+        crosses = contact.is_degenerate(t);
+        for (auto u = first; u < t && !crosses; ++u) crosses = contact.meet(u, t);
+        crosses = crosses || boxes_->any_of(box_of(soup_, soup_.triangles[t]), [&](std::uint32_t other) {
+            return std::ranges::count(soup_.triangles[other], gone) == 0 && contact.meet(other, t);
+        });
+    }
+    soup_.triangles.resize(first);
+    return crosses;
+}
+
+//! To be called before the collapse.
+void SurfaceCollapse::update_boxes(const Fan& fan) {
+    for (std::size_t i = 0; i < fan.faces.size(); ++i) {
+        soup_.triangles[index(fan.faces[i])] = fan.vertices[i];
+        boxes_->set(static_cast<std::uint32_t>(fan.faces[i].idx()), box_of(soup_, fan.vertices[i]));
+    }
+}
+
+bool SurfaceCollapse::is_sound(Halfedge into) {
+    return is_near(into) && !comes_to_cross(into);
+}
+
 void SurfaceCollapse::collapse(Halfedge into) {
     const Vertex gone = mesh_.from_vertex_handle(into), kept = mesh_.to_vertex_handle(into);
     std::vector<std::uint32_t> moved{static_cast<std::uint32_t>(gone.idx())};
@@ -184,8 +236,12 @@ void SurfaceCollapse::collapse(Halfedge into) {
         for (auto p = first_in_face_[index(f)]; p != kNone; p = next_in_face_[p]) moved.push_back(p);
         first_in_face_[index(f)] = kNone;
     }
+    const Fan fan = fan_of(into);
+    if (boxes_) {
+        for (const Face f : mesh_.vf_range(gone)) boxes_->set(static_cast<std::uint32_t>(f.idx()), {});
+        update_boxes(fan);
+    }
     if (limits_.distance) {
-        const Fan fan = fan_of(into);
         for (const auto p : moved) {
             const Point& at = mesh_.point(Vertex(static_cast<int>(p)));
             const auto nearest = std::ranges::min_element(

@@ -13,8 +13,10 @@
 #include <optional>
 #include <vector>
 
+#include "mesh/moving_box_tree.h"
 #include "mesh/surface_distance.h"
 #include "mesh/tri_mesh.h"
+#include "mesh/triangle_soup.h"
 
 namespace stratareeb {
 
@@ -32,6 +34,7 @@ class SurfaceCollapse {
         double min_cosine = 0;           // between a triangle's normals before and after
         double min_sine = 0;             // of the angles of new triangles
         double straight = 0;             // what counts as straight of a boundary
+        bool crossings = false;          // may appear
     };
 
     struct Choice {
@@ -40,14 +43,17 @@ class SurfaceCollapse {
         double length = 0;
     };
 
+    //! \param mesh around the origin
+    //! \param soup the same triangles and vertices where they really are; crossings are looked for there
     //! \param kept vertices that have to stay (not 0), one for each vertex
-    SurfaceCollapse(const TriMesh& mesh, std::vector<char> kept, const Limits& limits);
+    SurfaceCollapse(const TriMesh& mesh, const TriangleSoup& soup, std::vector<char> kept,
+                    const Limits& limits);
 
     //! The ways to take v out that keep topology and shape, the best first. Distance is not looked at.
     std::vector<Choice> choices(Vertex v);
 
-    //! Whether the surface stays near enough.
-    bool is_near(Halfedge into) const;
+    //! Whether the surface stays near enough and does not come to cross itself.
+    bool is_sound(Halfedge into);
 
     //! Take the vertex out. \pre choices() names the way
     void collapse(Halfedge into);
@@ -64,6 +70,7 @@ class SurfaceCollapse {
     struct Fan {  // the triangles around a vertex that stay
         std::vector<Face> faces;
         std::vector<Corners> before, after;
+        std::vector<std::array<std::uint32_t, 3>> vertices;  // after
     };
 
     void add_quadrics();
@@ -71,11 +78,16 @@ class SurfaceCollapse {
     bool keeps_topology(Halfedge into);
     bool keeps_boundary(Halfedge into) const;
     bool keeps_shape(Halfedge into) const;
+    bool is_near(Halfedge into) const;
+    bool comes_to_cross(Halfedge into);
+    void update_boxes(const Fan& fan);
     bool is_near_new(const Corners& triangle) const;
     bool is_near_old(Vertex gone, const Fan& fan) const;
 
     Limits limits_;
     TriMesh mesh_;
+    TriangleSoup soup_;
+    std::optional<MovingBoxTree> boxes_;
     std::size_t triangles_;
     std::vector<char> kept_;
     std::vector<Quadric> quadric_;
