@@ -177,7 +177,8 @@ LayerModel build_layer_model(const Survey& survey, const LayerModelOptions& opti
         for (double& t : layer)
             if (t < thinnest) t = 0;
 
-    model.spacing = options.spacing.value_or(suitable_spacing(footprint, survey.holes.size()));
+    model.spacing =
+        options.spacing.value_or(options.spacing_factor * suitable_spacing(footprint, survey.holes.size()));
     const bool bare = model.spacing == 0;
     const auto outline =
         bare ? holes : std::make_shared<const HoleTriangulation>(model.columns.sites, kPinchHullSliver);

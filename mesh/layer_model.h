@@ -41,6 +41,7 @@ struct LayerModelOptions {
     PinchOutRule pinch_out;
     std::optional<Footprint> footprint;  // map coordinates; empty = the holes' hull
     std::optional<double> spacing;       // empty = suitable_spacing; 0 = the bare triangulation of the holes
+    double spacing_factor = 1;           // of suitable_spacing, where that holds
     bool ring_holes = false;             // PlanMeshOptions::ring_holes; for a model that is to be refined
     //! Elevation of a terrain model at map coordinates. The ground follows it, bent smoothly to pass through
     //! the elevations that holes give; layers keep their thickness below it.

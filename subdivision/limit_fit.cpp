@@ -14,9 +14,8 @@ using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 using Vector = Eigen::VectorXd;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-constexpr double kTolerance = 1e-11;  // of the right side; data are met to rounding whatever it is
 constexpr int kMostIterations = 400;
-constexpr int kBoundRounds = 4;
+constexpr int kBoundRounds = 2;
 
 int column(std::uint32_t v) {
     return static_cast<int>(v);
@@ -77,7 +76,7 @@ LimitFit::LimitFit(LimitFitSetup setup) : setup_(std::move(setup)), system_(std:
     system_->from_free.setFromTriplets(entries.begin(), entries.end());
     system_->rows = rows_of(setup_);
     system_->reduced = system_->rows * system_->from_free;
-    system_->solver.setTolerance(kTolerance);
+    system_->solver.setTolerance(setup_.tolerance);
     system_->solver.setMaxIterations(kMostIterations);
     if (!system_->free.empty()) system_->solver.compute(system_->reduced);
 }
@@ -96,8 +95,8 @@ void LimitFit::meet(std::vector<double>& control, std::span<const double> data) 
     }
 }
 
-std::vector<double> LimitFit::control(const std::vector<double>& prediction,
-                                      std::span<const double> data) const {
+std::vector<double> LimitFit::control(const std::vector<double>& prediction, std::span<const double> data,
+                                      const std::vector<double>& start) const {
     const std::size_t n = prediction.size();
     std::vector<double> result(n, 0.0);
     for (std::size_t v = 0; v < n; ++v)
@@ -109,10 +108,10 @@ std::vector<double> LimitFit::control(const std::vector<double>& prediction,
     Vector right = -(system.rows * given);
     for (std::size_t v = 0; v < n; ++v)
         if (setup_.weight[v] > 0) right[static_cast<int>(v)] += std::sqrt(setup_.weight[v]) * prediction[v];
-    Vector start(static_cast<int>(system.free.size()));
-    for (std::size_t q = 0; q < system.free.size(); ++q)
-        start[static_cast<int>(q)] = prediction[system.free[q]];
-    const Vector solved = system.solver.solveWithGuess(right, start);
+    const std::vector<double>& guess = start.empty() ? prediction : start;
+    Vector first(static_cast<int>(system.free.size()));
+    for (std::size_t q = 0; q < system.free.size(); ++q) first[static_cast<int>(q)] = guess[system.free[q]];
+    const Vector solved = system.solver.solveWithGuess(right, first);
     for (std::size_t q = 0; q < system.free.size(); ++q) result[system.free[q]] = solved[static_cast<int>(q)];
     meet(result, data);
     return result;
@@ -167,7 +166,7 @@ std::vector<double> control_above(LimitFitSetup setup, const std::vector<double>
             wanted[v] = control[v];
             lowest[v] = std::min(lowest[v], control[v]);
         }
-        control = LimitFit(setup).control(wanted, data);
+        control = LimitFit(setup).control(wanted, data, control);
     }
 }
 

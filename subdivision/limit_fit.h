@@ -19,7 +19,8 @@ struct LimitFitSetup {
     std::vector<double> weight;  // by vertex, how much the limit should be as predicted; 0 = no wish
     std::vector<double> fairness_weight;  // by fairness row
     std::vector<char> fixed;              // by vertex: the control value is given
-    std::vector<std::uint32_t> exact;     // vertices, none of them fixed, whose limit is given
+    double tolerance = 1e-9;           // of the solution's residual; data are met to rounding whatever it is
+    std::vector<std::uint32_t> exact;  // vertices, none of them fixed, whose limit is given
 };
 
 //! Control values whose limit passes through given values exactly and, among all that do, is closest to the prediction
@@ -35,7 +36,9 @@ class LimitFit {
     const LimitFitSetup& setup() const { return setup_; }
 
     //! `prediction`: limit value wanted, at fixed vertices the control value; `data`: limit values at the exact vertices.
-    std::vector<double> control(const std::vector<double>& prediction, std::span<const double> data) const;
+    //! \param start where to start from, if not from the prediction
+    std::vector<double> control(const std::vector<double>& prediction, std::span<const double> data,
+                                const std::vector<double>& start = {}) const;
 
     //! The control values at the exact vertices that follow from all others.
     void meet(std::vector<double>& control, std::span<const double> data) const;

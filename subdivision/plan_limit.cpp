@@ -21,8 +21,9 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 // Weights: limits at their given places (on pinch-out lines; elsewhere) against a fair parametrisation. The less they
 // count, the better the triangles; predictions are taken where vertices come to lie.
 constexpr double kToLine = 0.05, kToPlace = 0.01, kFairness = 1;
-constexpr double kFairer = 20;  // times the fairness around folds and flat triangles, once a round
-constexpr int kFairRounds = 3;  // then what still folds stays linear
+constexpr double kFairer = 20;       // times the fairness around folds and flat triangles, once a round
+constexpr int kFairRounds = 2;       // then what still folds stays linear
+constexpr double kTolerance = 1e-6;  // nobody sees more of how fair a plan is
 constexpr int kMostRounds = 100;
 // Twice the area over the sum of squared sides (0.29 at most): below it a triangle is flat, if it came from one above.
 constexpr double kFlat = 0.04, kGood = 0.08;
@@ -51,7 +52,7 @@ class PlanFit {
             if (!is_last)
                 make_fairer(bad);
             else
-                make_linear(bad, round > 2 * kFairRounds);
+                make_linear(bad, round > kFairRounds + 1);
             if (round == kMostRounds) throw GeometryError("the refined plan folds over");
         }
     }
@@ -74,6 +75,7 @@ class PlanFit {
         LimitFitSetup setup;
         setup.limit = limit_rows(topology_.level(0), plan_.creases);
         setup.fairness = umbrella_.rows;
+        setup.tolerance = kTolerance;
         setup.fairness_weight = fairness_;
         setup.weight.assign(mesh_.n_vertices(), kToPlace);
         for (const auto v : on_line_) setup.weight[v] = kToLine;
@@ -91,8 +93,8 @@ class PlanFit {
         }
         std::ranges::sort(setup.exact);
         const LimitFit fit(std::move(setup));
-        plan_.x = fit.control(x, at_exact(fit, given_x_));
-        plan_.y = fit.control(y, at_exact(fit, given_y_));
+        plan_.x = fit.control(x, at_exact(fit, given_x_), plan_.x);
+        plan_.y = fit.control(y, at_exact(fit, given_y_), plan_.y);
         plan_.limit_x = limit_values(topology_, plan_.creases, plan_.x);
         plan_.limit_y = limit_values(topology_, plan_.creases, plan_.y);
         keep_places();
