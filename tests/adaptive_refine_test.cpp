@@ -57,7 +57,7 @@ double squared_distance(const Point3& p, const Point3& a, const Point3& b, const
 double distance(const PolygonMesh& limit, const PolygonMesh& mesh) {
     const auto soup = triangle_fans(mesh);
     double largest = 0;
-    for (std::size_t v = 0; v < limit.points.size(); v += 1 + limit.points.size() / 1500) {
+    for (std::size_t v = 0; v < limit.points.size(); v += 1 + limit.points.size() / 700) {
         double nearest = 1e300;
         for (const auto& t : soup.triangles)
             nearest = std::min(nearest, squared_distance(limit.points[v], soup.points[t[0]],

@@ -41,5 +41,16 @@ TEST(MemoryGuard, refuses_a_run_that_no_machine_can_hold_and_says_the_way_out) {
     }
 }
 
+TEST(MemoryGuard, refining_is_estimated_by_faces) {
+    EXPECT_DOUBLE_EQ(estimated_refine_memory(3e6, false), 3 * estimated_refine_memory(1e6, false));
+    EXPECT_GT(estimated_refine_memory(1e6, true), estimated_refine_memory(1e6, false));
+    EXPECT_LT(estimated_refine_memory(1e7, false),
+              24.0 * (1 << 30));  // ten million triangles fit into 24 GiB
+    EXPECT_TRUE(has_refine_memory(1000, true));
+    EXPECT_NO_THROW(check_refine_memory(1000, true));
+    EXPECT_FALSE(has_refine_memory(1e13, false));
+    EXPECT_THROW(check_refine_memory(1e13, false), InvalidInput);
+}
+
 }  // namespace
 }  // namespace stratareeb

@@ -123,6 +123,14 @@ TEST_F(RefineCommand, adaptive_meshes_are_watertight_and_smaller) {
     EXPECT_NEAR(adaptive["volume"].get<double>(), uniform["volume"].get<double>(), 0.002 * 78);
 }
 
+TEST_F(RefineCommand, pictures_show_before_and_after) {
+    EXPECT_EQ(run("cube.ply -o a.ply --limit --picture a.png").exit_code, 0);
+    EXPECT_EQ(content_of(folder_ / "a.png").substr(1, 3), "PNG");
+    EXPECT_EQ(run("cube.ply -o b.ply --picture b.jpg").exit_code, 1);
+    EXPECT_EQ(run("cube.ply -o b.ply --picture a.png").exit_code, 1);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "b.ply"));
+}
+
 TEST_F(RefineCommand, files_that_are_there_stay) {
     std::ofstream(folder_ / "a.ply") << "mine";
     const auto result = run("octahedron.ply -o a.ply");
