@@ -36,9 +36,10 @@ bool cut_crossings(std::vector<Point3>& points, double most_share) {
         }
         // From the end of the first edge to the start of the second, or the other way round.
         const auto [first, second] = std::minmax({crossings[0].edge, crossings[0].other_edge});
-        const double inner = plan_length(line, first, second), whole = plan_length(line, 0, line.size());
-        if (std::min(inner, whole - inner) > most_share * whole) return false;
-        if (inner <= whole - inner)
+        const double inner = plan_length(line, first + 1, second),
+                     outer = plan_length(line, second + 1, first + line.size());
+        if (std::min(inner, outer) > most_share * plan_length(line, 0, line.size())) return false;
+        if (inner <= outer)
             line.erase(line.begin() + first + 1, line.begin() + second + 1);
         else
             line.assign(line.begin() + first + 1, line.begin() + second + 1);

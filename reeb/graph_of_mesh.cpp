@@ -5,13 +5,17 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "boreholes/errors.h"
 #include "mesh/analysis.h"
 #include "mesh/ring_crossings.h"
+#include "mesh/self_intersection.h"
 #include "reeb/contour_alignment.h"
 #include "reeb/correspondence.h"
 #include "reeb/cut_crossings.h"
@@ -22,6 +26,7 @@
 #include "reeb/mesh_contours.h"
 #include "reeb/monotone_edge.h"
 #include "reeb/reeb_graph.h"
+#include "reeb/surface_of_graph.h"
 #include "reeb/sweep_graph.h"
 
 namespace stratareeb {
@@ -69,7 +74,12 @@ class GraphOfMesh {
         for (std::uint32_t n = 0; n < sweep_.nodes.size(); ++n) make_level_node(n);
         tbb::parallel_for(std::size_t{0}, contours_.size(), [&](std::size_t e) { add_contours_within(e); });
         add_contours_at_saddles();
-        for (std::uint32_t e = 0; e < contours_.size(); ++e) add_edge(e);
+        tbb::parallel_for(std::size_t{0}, contours_.size(),
+                          [&](std::size_t e) { refine(sweep_.edges[e], contours_[e]); });
+        add_edges();
+        for (std::size_t round = 0; round < options_.crossing_rounds && add_contours_where_crossing();
+             ++round)
+            add_edges();
         return std::move(result_);
     }
 
@@ -163,7 +173,6 @@ class GraphOfMesh {
         for (LevelContour& end : ends)
             contours.insert(end.z == low ? contours.begin() : contours.end(), std::move(end));
         ends = std::move(contours);
-        if (options_.tolerance > 0) refine(edge, ends);
     }
 
     [[noreturn]] void refuse_edge(const SweepEdge& edge) const {
@@ -175,25 +184,40 @@ class GraphOfMesh {
                         lower.value, upper.value, p.x, p.y));
     }
 
-    //! Between neighbours, half way, until that is near enough to what the homotopy makes there.
+    //! Between neighbours, half way, until what the homotopy makes there crosses nothing and is near enough.
     void refine(const SweepEdge& edge, Contours& contours) const {
+        const double least_gap =
+            kLeastGap * (contours.back().z - contours.front().z);  // of what crosses all the same
         for (std::size_t k = 0; k + 1 < contours.size() && contours.size() < options_.most_per_arc;) {
-            const double z = contours[k].z + 0.5 * (contours[k + 1].z - contours[k].z);
+            const double gap = contours[k + 1].z - contours[k].z, z = contours[k].z + 0.5 * gap;
             if (!(contours[k].z < z && z < contours[k + 1].z)) {
+                ++k;
+                continue;
+            }
+            const bool crosses = gap > least_gap && crosses_between(contours, k);
+            if (!crosses && options_.tolerance <= 0) {
                 ++k;
                 continue;
             }
             LevelContour middle = mesh_contours_.at(edge, z);
             if (!make_sound(middle) ||
-                deviation(middle.points, made_between(contours, k)) <= options_.tolerance)
+                (!crosses && deviation(middle.points, made_between(contours, k, 0.5)) <= options_.tolerance))
                 ++k;
             else
                 contours.insert(contours.begin() + static_cast<std::ptrdiff_t>(k) + 1, std::move(middle));
         }
     }
 
-    //! Half way from contour k to the next, by the contours around.
-    std::vector<Point3> made_between(const Contours& contours, std::size_t k) const {
+    bool crosses_between(const Contours& contours, std::size_t k) const {
+        return std::ranges::any_of(std::array{0.25, 0.5, 0.75}, [&](double t) {
+            std::vector<std::vector<Point2>> ring(1);
+            for (const Point3& p : made_between(contours, k, t)) ring[0].push_back({p.x, p.y});
+            return !ring_crossings(ring, {.most = 1}).empty();
+        });
+    }
+
+    //! On the way from contour k to the next, by the contours around.
+    std::vector<Point3> made_between(const Contours& contours, std::size_t k, double t) const {
         const std::size_t first = k > 0 ? k - 1 : 0, last = std::min(k + 2, contours.size() - 1);
         std::vector<SampledContour> shapes;
         std::vector<double> heights;
@@ -202,7 +226,7 @@ class GraphOfMesh {
             heights.push_back(contours[i].z);
         }
         return ContourHomotopy(aligned_contours(std::move(shapes)), heights, {.kind = options_.homotopy})
-            .contour(k - first, 0.5)
+            .contour(k - first, t)
             .points;
     }
 
@@ -253,6 +277,49 @@ class GraphOfMesh {
         return result_.nodes[n].form == NodeForm::Point && node.down.size() + node.up.size() == 1;
     }
 
+    //! Half way between contours, or a contour and a node, between which the surface made of them would cross something.
+    //! \return were there any?
+    bool add_contours_where_crossing() {
+        const ConstructedSurface surface = surface_of_graph(result_, {.avoid_crossings = false});
+        std::set<std::pair<std::uint32_t, std::size_t>> places;  // edge, number of contours below
+        for (const auto& pair : self_intersections(surface.soup, kCrossingsLookedAt).first)
+            for (const std::uint32_t t : pair) {
+                const auto& [a, b, c] = surface.soup.triangles[t];
+                const auto& p = surface.soup.points;
+                const double z = p[a].z / 3 + p[b].z / 3 + p[c].z / 3;
+                const std::uint32_t e = surface.triangle_edge[t];
+                const auto above = std::ranges::lower_bound(contours_[e], z, {}, &LevelContour::z);
+                places.emplace(e, static_cast<std::size_t>(above - contours_[e].begin()));
+            }
+        std::size_t added = 0;
+        for (auto place = places.rbegin(); place != places.rend();
+             ++place)  // from the top, so that numbers stay
+            added += add_contour_between(place->first, place->second);
+        return added > 0;
+    }
+
+    bool add_contour_between(std::uint32_t e, std::size_t below) {
+        const SweepEdge& edge = sweep_.edges[e];
+        Contours& contours = contours_[e];
+        const double bottom = lower_node(edge).value, top = upper_node(edge).value;
+        const double low = below == 0 ? bottom : contours[below - 1].z,
+                     high = below == contours.size() ? top : contours[below].z;
+        const double z = low + 0.5 * (high - low);
+        if (!(high - low > kLeastGap * (top - bottom)) || !(low < z && z < high) ||
+            contours.size() >= options_.most_per_arc)
+            return false;
+        LevelContour contour = mesh_contours_.at(edge, z);
+        if (!make_sound(contour)) return false;
+        contours.insert(contours.begin() + static_cast<std::ptrdiff_t>(below), std::move(contour));
+        return true;
+    }
+
+    void add_edges() {
+        result_.contours.clear();
+        result_.edges.clear();
+        for (std::uint32_t e = 0; e < contours_.size(); ++e) add_edge(e);
+    }
+
     void add_edge(std::uint32_t e) {
         EnhancedEdge edge{.from = sweep_.edges[e].lower,
                           .to = sweep_.edges[e].upper,
@@ -263,7 +330,7 @@ class GraphOfMesh {
         // A spline would swing out beside a saddle, where the last centre is far from the node.
         const bool between_leaves = is_leaf_point(edge.from) && is_leaf_point(edge.to);
         edge.curve.kind = between_leaves ? CurveKind::Cardinal : CurveKind::Polyline;
-        for (LevelContour& contour : contours_[e]) {
+        for (const LevelContour& contour : contours_[e]) {
             const bool at_node = contour.z == lower_node(sweep_.edges[e]).value ||
                                  contour.z == upper_node(sweep_.edges[e]).value;
             if (!at_node) {
@@ -273,14 +340,16 @@ class GraphOfMesh {
             edge.contours.push_back(static_cast<std::uint32_t>(result_.contours.size()));
             result_.contours.emplace_back().id = static_cast<std::int64_t>(result_.contours.size());
             result_.contours.back().curve.closed = true;
-            result_.contours.back().curve.points = std::move(contour.points);
+            result_.contours.back().curve.points = contour.points;
         }
         if (between_leaves && !z_monotonicity(ParametricCurve(curve_of(result_, edge))).monotone)
             edge.curve.kind = CurveKind::Polyline;
         result_.edges.push_back(std::move(edge));
     }
 
-    static constexpr double kMostCut = 0.05;   // of a contour's length
+    static constexpr std::size_t kCrossingsLookedAt = 5000;  // pairs of triangles
+    static constexpr double kMostCut = 0.05;                 // of a contour's length
+    static constexpr double kLeastGap = 1e-3;                // of an edge's height, between contours
     static constexpr double kNearNode = 1e-6;  // of an edge's height: no contour within is closer to its ends
 
     const MeshGraphOptions& options_;

@@ -16,6 +16,8 @@ struct MeshGraphOptions {
     // the homotopy makes there
     std::size_t most_per_arc = 200;  // contours that tolerance may ask for
     HomotopyKind homotopy = HomotopyKind::Cardinal;
+    std::size_t crossing_rounds =
+        4;  // times that the surface is made to see where it crosses itself and wants contours between
 };
 
 //! The enhanced Reeb graph of a surface over height z: nodes at its critical points, contours at levels of each arc, edges through
