@@ -58,7 +58,7 @@ std::optional<std::vector<double>> harmonic_heights(const TriangleSoup& plan,
         low = std::min(low, *heights[v]);
         high = std::max(high, *heights[v]);
     }
-    if (low == high) return std::nullopt;
+    if (!(low < high)) return std::nullopt;
     // Shares from below and from above, each without the other's rounding where it is small.
     std::vector<Eigen::Triplet<double>> entries;
     Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(count, 2);

@@ -11,7 +11,8 @@ namespace stratareeb {
 
 namespace {
 
-constexpr std::size_t kSamples = 96;  // of a contour that is no polygon
+constexpr std::size_t kSamples = 96;     // of a contour that is no polygon
+constexpr std::size_t kExceptions = 20;  // one of so many neighbours may be otherwise
 
 std::vector<Point2> outline(const SampledContour& contour) {
     std::vector<Point2> points;
@@ -34,19 +35,18 @@ bool surrounds(const std::vector<Point2>& ring, const Point2& p) {
     return inside;
 }
 
-bool narrows_upward(const GraphStrand& strand, bool is_hole) {
+//! How many contours are not within the one below, or around it if it is a hole.
+std::size_t overhangs(const GraphStrand& strand, bool is_hole) {
     std::vector<std::vector<Point2>> rings;
-    for (const SampledContour& contour : strand.contours) {
-        if (!is_level(contour)) return false;
-        rings.push_back(outline(contour));
-    }
+    for (const SampledContour& contour : strand.contours) rings.push_back(outline(contour));
+    std::size_t count = 0;
     for (std::size_t k = 0; k + 1 < rings.size(); ++k) {
         const auto &outer = rings[is_hole ? k + 1 : k], &inner = rings[is_hole ? k : k + 1];
         if (!surrounds(outer, inner.front()) ||
             !ring_crossings(std::vector{outer, inner}, {.most = 1}).empty())
-            return false;
+            ++count;
     }
-    return true;
+    return count;
 }
 
 }  // namespace
@@ -56,11 +56,14 @@ bool is_terrain(const EnhancedReebGraph& graph) {
     const auto is_hole = hole_edges(graph, strands);
     std::vector<bool> goes_on(graph.nodes.size(), false);
     for (const EnhancedEdge& edge : graph.edges) goes_on[edge.from] = true;
+    std::size_t exceptions = 0, neighbours = 0;
     for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+        if (!std::ranges::all_of(strands[e].contours, is_level)) return false;
         const bool is_roof = is_hole[e] && !goes_on[graph.edges[e].to];
-        if (is_roof || !narrows_upward(strands[e], is_hole[e])) return false;
+        exceptions += is_roof + overhangs(strands[e], is_hole[e]);
+        neighbours += strands[e].contours.size();
     }
-    return true;
+    return exceptions * kExceptions <= neighbours;
 }
 
 }  // namespace stratareeb

@@ -6,7 +6,8 @@
 namespace stratareeb {
 
 //! Is this ground, with one height for each place? Its contours are level and, along each edge, lie in one another without touching: upper
-//! ones inside lower ones, around a hole the other way round; and no hole closes above. The underside that closes a body does not count.
+//! ones inside lower ones, around a hole the other way round; and no hole closes above. One in twenty may be otherwise. The
+//! underside that closes a body does not count.
 bool is_terrain(const EnhancedReebGraph& graph);
 
 }  // namespace stratareeb
