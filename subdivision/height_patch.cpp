@@ -19,7 +19,7 @@ constexpr double kGuideWeight =
 constexpr double kMostUrgent = 1e4;  // of the weight of a sample with the loosest tolerance
 // Spans are halved where samples are off by more than this share of the worst: what is steep at a few places gets its rows
 // and columns there and not everywhere.
-constexpr double kWorthHalving = 0.1;
+constexpr double kWorthHalving = 0.3;
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 using Matrix = Eigen::SparseMatrix<double>;

@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint32_t kNone = PlanCells::kNone;
 constexpr double kEdgeTolerance = 2e-7;   // of the size: curve from the height it follows
 constexpr double kBorderShare = 0.3;      // of a patch's tolerance: what it may be off at its border
-constexpr int kCloserFits = 2;            // of patches that cross, each to a quarter of the tolerance before
+constexpr int kCloserFits = 1;            // of patches that cross, each to a quarter of the tolerance before
 constexpr double kLeastTolerance = 1e-6;  // of the size
 constexpr int kSamplesAnEdge = 6;         // of the plan's triangles, on a patch's border
 constexpr double kFinestSpan = 0.1;  // of a mean edge of the plan's triangles: shorter spans are not halved

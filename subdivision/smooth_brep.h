@@ -47,7 +47,7 @@ struct SmoothBrepOptions {
     double thickness_tolerance = 0.1;     // the same as a share of the mean thickness of the bodies at a face
     double thin_tolerance = 0.3;          // the same as a share of the thickness at the place
     double rim_tolerance = 2e-5;          // of the size: how far curves may be from lines of the plan
-    std::size_t most_functions = 6'000;  // a patch
+    std::size_t most_functions = 14'000;  // a patch
     PlanCellsOptions cells;
 };
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -13,11 +15,13 @@
 
 #include <cmath>
 #include <filesystem>
-#include <functional>
+#include <fstream>
 #include <numbers>
+#include <sstream>
 
 #include "boreholes/errors.h"
 #include "io/smooth_bodies.h"
+#include "io/write_brep.h"
 #include "tests/grid_model.h"
 
 namespace stratareeb {
@@ -142,10 +146,35 @@ TEST(SmoothStep, what_cannot_be_smooth_has_facets_and_neighbours_stay) {
     EXPECT_NEAR(made.reports[0].volume, made.reports[0].mesh_volume, 1e-9 * made.reports[0].mesh_volume);
 }
 
+TEST(SmoothStep, brep_files_hold_shared_faces_once) {
+    const auto file = std::filesystem::temp_directory_path() / "smooth_step_test.brep";
+    const auto made = smooth_bodies(grid_model({.thickness = {test::constant(2), test::constant(3)}}));
+    write_brep(file, made.bodies);
+    TopoDS_Shape read;
+    BRep_Builder builder;
+    ASSERT_TRUE(BRepTools::Read(read, file.string().c_str(), builder));
+    TopTools_IndexedMapOfShape faces, solids;
+    TopExp::MapShapes(read, TopAbs_FACE, faces);
+    TopExp::MapShapes(read, TopAbs_SOLID, solids);
+    EXPECT_EQ(solids.Extent(), 2);
+    EXPECT_EQ(faces.Extent(), 11);
+    EXPECT_TRUE(BRepCheck_Analyzer(read).IsValid());
+    EXPECT_THROW(write_brep(file, {}), InvalidInput);
+    std::filesystem::remove(file);
+}
+
 TEST(SmoothStep, files_are_small_and_repeatable) {
     const auto file = std::filesystem::temp_directory_path() / "smooth_step_test.step";
     const auto model = grid_model({.thickness = {test::constant(2), test::constant(3)}});
+    const auto bytes = [&] {
+        std::ostringstream text;
+        text << std::ifstream(file, std::ios::binary).rdbuf();
+        return text.str();
+    };
+    write_smooth_step(file, model);
+    const auto before = bytes();
     const auto report = write_smooth_step(file, model);
+    EXPECT_EQ(bytes(), before);
     EXPECT_EQ(report.solids, 2u);
     EXPECT_EQ(report.faces, 12u);
     EXPECT_LT(std::filesystem::file_size(file), 20'000u * report.faces);
