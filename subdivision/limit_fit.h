@@ -19,7 +19,7 @@ struct LimitFitSetup {
     std::vector<double> weight;  // by vertex, how much the limit should be as predicted; 0 = no wish
     std::vector<double> fairness_weight;  // by fairness row
     std::vector<char> fixed;              // by vertex: the control value is given
-    double tolerance = 1e-9;           // of the solution's residual; data are met to rounding whatever it is
+    double tolerance = 1e-12;          // of the solution's residual; data are met to rounding whatever it is
     std::vector<std::uint32_t> exact;  // vertices, none of them fixed, whose limit is given
 };
 

@@ -42,9 +42,13 @@ Problem random_problem(std::uint64_t seed) {
     const LoopTopology topology(plan.surface, 0);
     const FairnessRows fairness = bending_rows(plan.surface, x, y);
     Problem problem;
-    problem.setup = {limit_rows(topology.level(0), {}), fairness.rows,
-                     std::vector<double>(n, 1.0),       std::vector<double>(fairness.vertex.size(), 0.3),
-                     std::vector<char>(n, 0),           plan.hole_vertex};
+    problem.setup = {limit_rows(topology.level(0), {}),
+                     fairness.rows,
+                     std::vector<double>(n, 1.0),
+                     std::vector<double>(fairness.vertex.size(), 0.3),
+                     std::vector<char>(n, 0),
+                     1e-13,
+                     plan.hole_vertex};
     for (std::size_t v = 0; v < n; ++v) {
         problem.prediction.push_back(unit());
         if (unit() < 0.1 && std::ranges::find(plan.hole_vertex, v) == plan.hole_vertex.end())
