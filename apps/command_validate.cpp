@@ -189,11 +189,11 @@ class Validate {
             "\nall layers, boreholes as units: mean {:.4g}, {:g} % interval {:.4g} to {:.4g}, p = {:.3g}{}\n",
             result.pooled.mean, 100 * record.confidence, result.pooled.low, result.pooled.high,
             result.pooled.p, result.pooled.contains_zero() ? "" : ": biased");
-        fmt::print(
-            "values within their intervals: {:.1f} %; unit right at depth: {:.1f} % of the drilled length; "
-            "horizons that "
-            "cross: {}\n",
-            100 * result.coverage, 100 * result.units.share_right(), result.crossings);
+        fmt::print("values within their intervals: {:.1f} %; horizons that cross: {}\n",
+                   100 * result.coverage, result.crossings);
+        if (!result.layers.empty())
+            fmt::print("unit right at depth: {:.1f} % of the drilled length\n",
+                       100 * result.units.share_right());
     }
 
     static void print_comparison(const std::vector<NamedValidation>& validations) {

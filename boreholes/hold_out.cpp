@@ -110,6 +110,29 @@ std::vector<HeldOutHole> hold_out(const Survey& survey, const std::vector<Draw>&
     return result;
 }
 
+std::vector<Draw> without_last_contacts(const Survey& survey, std::vector<Draw> draws) {
+    if (!survey.contact_points) return draws;
+    std::vector<std::size_t> contacts(survey.units.size() + 1, 0);
+    const auto for_each_known = [&](std::size_t hole, auto&& visit) {
+        const auto& horizons = survey.holes[hole].horizons;
+        for (std::size_t k = 0; k < horizons.size(); ++k)
+            if (horizons[k]) visit(k);
+    };
+    for (std::size_t h = 0; h < survey.holes.size(); ++h)
+        for_each_known(h, [&](std::size_t k) { ++contacts[k]; });
+    for (Draw& draw : draws) {
+        std::vector<std::size_t> left = contacts;
+        std::erase_if(draw, [&](std::size_t hole) {
+            bool needed = false;
+            for_each_known(hole, [&](std::size_t k) { needed = needed || left[k] == 1; });
+            if (!needed) for_each_known(hole, [&](std::size_t k) { --left[k]; });
+            return needed;
+        });
+    }
+    std::erase_if(draws, [](const Draw& draw) { return draw.empty(); });
+    return draws;
+}
+
 std::vector<Residual> thickness_residuals(const Survey& survey, std::span<const HeldOutHole> held,
                                           std::size_t layer) {
     std::vector<Residual> residuals;

@@ -33,6 +33,10 @@ struct HeldOutHole {
 std::vector<HeldOutHole> hold_out(const Survey& survey, const std::vector<Draw>& draws,
                                   const HoldOutOptions& options = {});
 
+//! Draws of contact points without those that are the last to know a horizon: without them it could not be predicted at all.
+//! Other surveys' draws are returned as they are; draws that end up empty are left out.
+std::vector<Draw> without_last_contacts(const Survey& survey, std::vector<Draw> draws);
+
 //! An actual number of a hole beside what was predicted for it.
 struct Residual {
     std::size_t held = 0;  // index into the list of held-out holes

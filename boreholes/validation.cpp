@@ -105,8 +105,8 @@ void suggest(Validation& result, const Survey& survey, std::size_t count) {
 
 Validation validate(const Survey& survey, const std::vector<Draw>& draws, const ValidationOptions& options) {
     Validation result;
-    result.draws = draws;
-    result.held = hold_out(survey, draws, options.hold_out);
+    result.draws = without_last_contacts(survey, draws);
+    result.held = hold_out(survey, result.draws, options.hold_out);
     add_layers(result, survey, options);
     add_horizons(result, survey, options);
     pool(result, options);

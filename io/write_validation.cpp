@@ -74,7 +74,7 @@ Json result_json(const Survey& survey, const NamedValidation& validation) {
         {"interpolator", validation.name}, {"crossings", result.crossings}, {"coverage", result.coverage}};
     json["pooled"] = as_json(result.pooled);
     json["pooled_naive"] = as_json(result.pooled_naive);
-    json["units_right"] = result.units.share_right();
+    json["units_right"] = result.layers.empty() ? Json() : Json(result.units.share_right());
     json["layers"] = Json::array();
     for (std::size_t i = 0; i < result.layers.size(); ++i)
         json["layers"].push_back(layer_json(result.layers[i], survey.units[i], i + 1));

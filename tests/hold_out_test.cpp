@@ -357,6 +357,28 @@ TEST(HoldOut, contacts_of_single_horizons_are_predicted_too) {
     EXPECT_TRUE(thickness_residuals(survey, held, 0).empty());
 }
 
+TEST(HoldOut, the_last_contact_of_a_horizon_stays) {
+    Survey survey = survey_of({measured("a", {0, 0}, {1})});
+    survey.holes.clear();
+    survey.contact_points = true;
+    for (int i = 0; i < 6; ++i) {
+        Borehole hole{.at = {1.0 * i, 1.0 * i * i}};
+        hole.layers.resize(1);
+        hole.horizons.resize(2);
+        hole.horizons[i < 2 ? 1 : 0] = 5.0 - i;
+        survey.holes.push_back(hole);
+    }
+    // Holes 0 and 1 alone know the base: one of them stays in whenever both would go.
+    const std::vector<Draw> draws{{0, 1, 2}, {3}, {0}, {2, 3, 4, 5}};
+    const std::vector<Draw> expected{{0, 2}, {3}, {0}, {2, 3, 4}};
+    EXPECT_EQ(without_last_contacts(survey, draws), expected);
+    EXPECT_EQ(hold_out(survey, without_last_contacts(survey, draws), as_the_thesis()).size(), 7u);
+    survey.holes.erase(survey.holes.begin());
+    EXPECT_EQ(without_last_contacts(survey, {{0}, {1}}), (std::vector<Draw>{{1}}));
+    survey.contact_points = false;
+    EXPECT_EQ(without_last_contacts(survey, draws), draws);
+}
+
 TEST(HoldOut, too_few_left_is_said_with_the_draw) {
     Survey survey = survey_of({measured("a", {0, 0}, {1}), measured("b", {10, 0}, {1})});
     EXPECT_EQ(hold_out(survey, single_draws(2), as_the_thesis()).size(), 2u);
