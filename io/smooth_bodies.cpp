@@ -42,6 +42,7 @@ class Maker {
                                       .smooth = faults_[b].empty(),
                                       .faces = count_faces(*body.solid),
                                       .off = faults_[b].empty() ? brep_.quality[b].off : 0,
+                                      .edge_off = faults_[b].empty() ? brep_.quality[b].edge_off : 0,
                                       .volume = faults_[b].empty() ? volumes_[b] : cad_volume(*body.solid),
                                       .mesh_volume = brep_.quality[b].mesh_volume});
             result.bodies.push_back(std::move(body));
@@ -73,6 +74,8 @@ class Maker {
         if (!(quality.least_thickness > 0)) return "its smooth top and base would cross";
         if (!(quality.off <= options_.most_off * brep_.size))
             return fmt::format("smooth faces would be {:.3g} off", quality.off);
+        if (!(quality.edge_off <= options_.most_edge_off * brep_.size))
+            return fmt::format("smooth faces would meet only to {:.3g}", quality.edge_off);
         return {};
     }
 

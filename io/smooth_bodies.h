@@ -14,6 +14,7 @@ namespace stratareeb {
 struct SmoothBodiesOptions {
     SmoothBrepOptions fit;
     double volume_tolerance = 2e-3;  // share by which a body's volume may differ from its triangles'
+    double most_edge_off = 1e-4;     // share of the size by which faces may miss the edge that they meet in
     double most_off = 2e-3;          // share of the size that a face may be off the model's vertices
 };
 
@@ -21,7 +22,8 @@ struct SmoothBodyReport {
     std::string name;
     bool smooth = true;  // otherwise made of facets
     std::size_t faces = 0;
-    double off = 0;          // largest distance of faces from the model's vertices, of edges from their faces
+    double off = 0;          // largest distance of its faces from the model's vertices
+    double edge_off = 0;     // and of its edges from the faces that meet there
     double volume = 0;       // of the CAD solid
     double mesh_volume = 0;  // of the model's triangles
 };

@@ -351,10 +351,11 @@ class Builder {
         for (std::size_t b = 0; b < bodies().size(); ++b)
             for (const auto* faces : {&bodies()[b].top, &bodies()[b].base})
                 for (const auto c : *faces) {
-                    double& off = brep_.quality[b].off;
-                    off = std::max(off, off_[c]);
+                    auto& quality = brep_.quality[b];
+                    quality.off = std::max(quality.off, off_[c]);
                     for (const auto& loop : cells()[c].loops)
-                        for (const auto& use : loop) off = std::max(off, brep_.edges[use.edge].tolerance);
+                        for (const auto& use : loop)
+                            quality.edge_off = std::max(quality.edge_off, brep_.edges[use.edge].tolerance);
                 }
     }
 

@@ -30,7 +30,8 @@ struct SmoothBrep {
         double mesh_volume = 0;  // of the model's triangles
         double least_thickness =
             0;           // top above base, at plan vertices where the layer has thickness; <= 0: they cross
-        double off = 0;  // faces from the model's vertices, edges from faces
+        double off = 0;  // faces from the model's vertices
+        double edge_off = 0;  // edges from the faces that meet there
     };
 
     PlanCells cells;
