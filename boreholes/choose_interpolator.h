@@ -13,9 +13,9 @@ namespace stratareeb {
 
 struct ChooseOptions {
     //! Simple ones first: of equals the first is taken.
-    std::vector<InterpolatorKind> candidates{InterpolatorKind::Linear, InterpolatorKind::NaturalNeighbour,
-                                             InterpolatorKind::Spline, InterpolatorKind::Kriging,
-                                             InterpolatorKind::KrigingLinear};
+    std::vector<InterpolatorKind> candidates{
+        InterpolatorKind::Linear,  InterpolatorKind::NaturalNeighbour, InterpolatorKind::Spline,
+        InterpolatorKind::Kriging, InterpolatorKind::KrigingLinear,    InterpolatorKind::KrigingQuadratic};
     std::size_t folds = 10;
     std::uint64_t seed = 1;
     std::size_t most_holes =

@@ -82,6 +82,8 @@ struct InterpolatorOptions {
     //! Kriging: take the nugget as error of measurement and pass beside the values. By default values are honoured: the
     //! nugget is what changes over less than the gap between sites, and the surface leads there smoothly.
     bool filter_nugget = false;
+    //! Kriging: let fitted variograms have a direction. Left-out holes of real surveys were not predicted better by it.
+    bool anisotropy = false;
 
     double curvature_tension = 0;          // minimum curvature: 0 … 1 (W. H. F. Smith and P. Wessel, 1990)
     std::size_t curvature_nodes = 20'000;  // minimum curvature: about so many nodes of its grid at most

@@ -36,7 +36,8 @@ Kriging::Kriging(std::shared_ptr<const HoleTriangulation> holes, int drift,
     : RadialInterpolator(std::move(holes), options.single_patch),
       drift_(drift),
       variogram_(options.variogram),
-      filter_nugget_(options.filter_nugget) {
+      filter_nugget_(options.filter_nugget),
+      anisotropy_(options.anisotropy) {
     if (variogram_) check(*variogram_);
 }
 
@@ -54,7 +55,7 @@ Variogram Kriging::fitted(const FieldSites& sites) const {
     for (std::size_t i = 0; i < sites.size(); ++i)
         if (!sites.at_least[i])
             at.push_back(sites.at[i]), value.push_back((sites.value[i] - scale.mean) / scale.spread);
-    return fit_variogram(at, value, {.drift = drift_});
+    return fit_variogram(at, value, {.anisotropy = anisotropy_, .drift = drift_});
 }
 
 Kriging::FieldModel Kriging::model_of(const FieldSites& sites) const {

@@ -27,7 +27,7 @@ class Kriging : public RadialInterpolator {
 
     int drift_;
     std::optional<Variogram> variogram_;
-    bool filter_nugget_;
+    bool filter_nugget_, anisotropy_;
 };
 
 }  // namespace stratareeb
