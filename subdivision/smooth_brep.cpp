@@ -12,11 +12,12 @@ namespace stratareeb {
 namespace {
 
 constexpr std::uint32_t kNone = PlanCells::kNone;
-constexpr double kEdgeTolerance = 2e-7;   // of the size: curve from the height it follows
-constexpr double kBorderShare = 0.3;      // of a patch's tolerance: what it may be off at its border
-constexpr int kCloserFits = 1;            // of patches that cross, each to a quarter of the tolerance before
-constexpr double kLeastTolerance = 1e-6;  // of the size
-constexpr int kSamplesAnEdge = 6;         // of the plan's triangles, on a patch's border
+constexpr double kEdgeTolerance = 2e-7;  // of the size: curve from the height it follows
+constexpr double kBorderShare = 0.3;     // of a patch's tolerance: what it may be off at its border
+constexpr int kCloserFits = 1;           // of patches that cross, each to a quarter of the tolerance before
+constexpr double kLeastTolerance =
+    0.1;                             // of a patch, as a share of its own: else knots gather at thin places
+constexpr int kSamplesAnEdge = 6;    // of the plan's triangles, on a patch's border
 constexpr double kFinestSpan = 0.1;  // of a mean edge of the plan's triangles: shorter spans are not halved
 constexpr double kEdgeSpan = 1.5;    // of the patches' spans around it
 constexpr int kSamplesASpan = 10;    // of an edge, for its tolerance
@@ -152,7 +153,7 @@ class Builder {
             if (consider(layer)) break;
         for (std::size_t layer = horizon; layer < model_.units.size(); ++layer)
             if (consider(layer)) break;
-        return std::max(tolerance, kLeastTolerance * brep_.size);
+        return std::max(tolerance, kLeastTolerance * tolerance_[c]);
     }
 
     void fit_patches(const std::vector<std::uint32_t>& which) {
