@@ -20,7 +20,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 // Weights: limits at their given places (on pinch-out lines; elsewhere) against a fair parametrisation. The less they
 // count, the better the triangles; predictions are taken where vertices come to lie.
-constexpr double kToLine = 0.05, kToPlace = 0.01, kFairness = 1;
+constexpr double kToLine = 0.5, kToPlace = 0.01, kFairness = 1;
 constexpr double kFairer = 20;       // times the fairness around folds and flat triangles, once a round
 constexpr int kFairRounds = 2;       // then what still folds stays linear
 constexpr double kTolerance = 1e-6;  // nobody sees more of how fair a plan is
