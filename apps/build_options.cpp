@@ -8,12 +8,14 @@
 #include <set>
 
 #include "apps/choice.h"
+#include "boreholes/errors.h"
+#include "boreholes/interpolator.h"
 
 namespace stratareeb {
 
 namespace {
 
-const std::set<std::string> kFormats{"ply", "stl", "obj", "off", "glb", "3mf", "mlp", "step", "png"};
+const std::set<std::string> kFormats{"ply", "stl", "obj", "off", "glb", "3mf", "mlp", "step", "brep", "png"};
 const std::set<std::string> kColumnRoles{"x", "y", "ground", "hole", "from", "to", "unit", "z", "depth"};
 
 std::map<std::string, std::string> parsed_columns(const std::vector<std::string>& pairs) {
@@ -77,6 +79,11 @@ void add_table_options(CLI::App& command, TableArguments& arguments) {
     command.add_flag("--keep-far-holes", read.keep_far_holes, "Keep holes absurdly far from all others");
 }
 
+int suitable_refinement(std::size_t holes) {
+    constexpr std::size_t kTwice = 400, kOnce = 4000;  // about 150,000 and 300,000 plan triangles
+    return holes <= kTwice ? 2 : holes <= kOnce ? 1 : 0;
+}
+
 bool BuildArguments::wants(const std::string& format) const {
     return std::ranges::find(formats, format) != formats.end();
 }
@@ -89,6 +96,10 @@ std::map<std::string, std::string> BuildArguments::record() const {
             {"spacing", spacing},
             {"interpolator", interpolator},
             {"pinch_out", pinch_out},
+            {"refine", refine},
+            {"step", step == StepKind::Smooth ? "smooth" : "faceted"},
+            {"decimate", decimate < 0 ? "" : fmt::format("{}", decimate)},
+            {"decimate_to", decimate_to == 0 ? "" : fmt::format("{}", decimate_to)},
             {"order", fmt::format("{}", fmt::join(table.read.order, ","))},
             {"repeats", table.read.repeats == RepeatRule::Absorb ? "absorb" : "split"},
             {"unit", table.read.length_unit},
@@ -101,7 +112,15 @@ void add_build_options(CLI::App& command, BuildArguments& arguments) {
     command.add_option("--ground", arguments.ground,
                        "Elevation raster of the ground (GeoTIFF, ESRI ASCII, …)");
     command.add_option("--interpolator", arguments.interpolator, "Prediction between holes")
-        ->check(CLI::IsMember({"linear", "natural"}))
+        ->check([](const std::string& name) {
+            if (name == "auto") return std::string();
+            try {
+                interpolator_kind(name);
+            } catch (const InvalidInput& error) {
+                return std::string(error.what());
+            }
+            return std::string();
+        })
         ->capture_default_str();
     command
         .add_option("--spacing", arguments.spacing,
@@ -113,6 +132,27 @@ void add_build_options(CLI::App& command, BuildArguments& arguments) {
                 text == "auto" || text == "none" || (CLI::detail::lexical_cast(text, number) && number > 0);
             return sound ? std::string() : text + " is none of auto, none or a length above 0";
         });
+    command
+        .add_option(
+            "--refine", arguments.refine,
+            "Smooth surfaces through the contacts: levels of subdivision, 0 to 6, each with four times the "
+            "triangles; 0 leaves them as predicted")
+        ->check([](const std::string& text) {
+            const bool sound = text == "auto" || (text.size() == 1 && text[0] >= '0' && text[0] <= '6');
+            return sound ? std::string() : text + " is neither auto nor a number from 0 to 6";
+        })
+        ->capture_default_str();
+    command
+        .add_option("--decimate", arguments.decimate,
+                    "Leave out triangles as long as no horizon moves up or down by more than this length")
+        ->check(CLI::NonNegativeNumber);
+    command
+        .add_option("--decimate-to", arguments.decimate_to,
+                    "Leave out triangles of the plan down to this number")
+        ->check(CLI::PositiveNumber);
+    add_choice<StepKind>(
+        command, "--step", arguments.step, {{"smooth", StepKind::Smooth}, {"faceted", StepKind::Faceted}},
+        "Faces of STEP and BREP files: few B-spline faces where they are sound, or the triangles (faceted)");
     command
         .add_option("--pinch-out", arguments.pinch_out,
                     "Where a layer ends between a hole that lacks it and one that has it")

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/read_boreholes.h"
+#include "io/write_step.h"
 #include "mesh/layer_model.h"
 
 namespace stratareeb {
@@ -18,14 +19,20 @@ struct TableArguments {
 };
 void add_table_options(CLI::App& command, TableArguments& arguments);
 
+//! Levels of refinement for a number of holes that leave a model people can handle; 0 for very many.
+int suitable_refinement(std::size_t holes);
+
 //! Options of `build`.
 struct BuildArguments {
     TableArguments table;
     std::string output, ground, footprint = "hull", spacing = "auto", interpolator = "natural",
-                                pinch_out = "half";
+                                pinch_out = "half", refine = "auto";
     std::vector<std::string> formats;
     NormalWeight normals = NormalWeight::Uniform;
-    double margin = -1;  // < 0 = suitable_margin
+    StepKind step = StepKind::Faceted;
+    double margin = -1;           // < 0 = suitable_margin
+    double decimate = -1;         // largest error; < 0 = not by error
+    std::size_t decimate_to = 0;  // plan triangles; 0 = not by number
     bool overwrite = false, json = false, quiet = false, ignore_memory = false;
 
     bool wants(const std::string& format) const;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <memory>
 #include <optional>
@@ -9,44 +11,64 @@
 #include "apps/command.h"
 #include "apps/memory_guard.h"
 #include "apps/progress.h"
+#include "boreholes/choose_interpolator.h"
 #include "boreholes/errors.h"
 #include "boreholes/plan_layout.h"
+#include "io/faceted_bodies.h"
 #include "io/model_holes.h"
 #include "io/read_footprint.h"
 #include "io/read_raster.h"
+#include "io/smooth_bodies.h"
 #include "io/staged_folder.h"
+#include "io/step_document.h"
 #include "io/write_aside.h"
+#include "io/write_brep.h"
 #include "io/write_mesh.h"
 #include "io/write_meshlab_project.h"
 #include "io/write_model.h"
 #include "io/write_picture.h"
-#include "io/write_step.h"
+#include "mesh/decimate_layers.h"
+#include "subdivision/refined_layers.h"
 
 namespace stratareeb {
 namespace {
 
 // Shares of the whole run at which its parts end, for the time left.
-constexpr double kReadEnd = 0.05, kModelEnd = 0.5, kSolidsEnd = 0.9;
+constexpr double kReadEnd = 0.05, kModelEnd = 0.35, kRefineEnd = 0.5, kSolidsEnd = 0.9;
 
 class Build {
  public:
     explicit Build(const BuildArguments& arguments)
         : arguments_(arguments), progress_("build", arguments.quiet ? std::optional(false) : std::nullopt) {}
 
-    //! The walk from table to files.
+    //! From table to files; should smooth surfaces come out unsound, the plain ones, with a warning.
     void run() {
-        StagedFolder folder(arguments_.output, arguments_.overwrite);
         progress_.step("reading boreholes", 0);
-        BoreholeTable table = read_table();
-        const LayerModel model = build_layer_model(table.survey, model_options(table.survey));
-        ModelRecord record{.units = {},
-                           .checks = {},
-                           .warnings = warnings_of(table, model),
-                           .options = arguments_.record(),
-                           .files = {}};
+        const BoreholeTable table = read_table();
+        choose_interpolator_for(table.survey);
+        const int levels = levels_for(table.survey.holes.size());
+        try {
+            build(table, levels);
+        } catch (const GeometryError& error) {
+            if (levels == 0 || arguments_.refine != "auto") throw;
+            notes_.push_back(fmt::format("the surfaces are not refined: {}", error.what()));
+            build(table, 0);
+        }
+    }
+
+ private:
+    //! The walk.
+    void build(const BoreholeTable& table, int levels) {
+        StagedFolder folder(arguments_.output, arguments_.overwrite);
+        LayerModel model = build_layer_model(table.survey, model_options(table.survey, levels));
+        ModelRecord record{
+            .units = {}, .checks = {}, .warnings = {}, .options = arguments_.record(), .files = {}};
+        refine(model, levels, record);
+        decimate(model);
+        record.warnings = warnings_of(table, model);
         write_horizons(folder, model);
         const std::vector<LayerSolid> solids = write_layers(folder, model, table.survey, record);
-        write_whole_model(folder, model, solids);
+        write_whole_model(folder, model, solids, record);
         write_model_holes(folder.add(kModelHolesFile), table.survey, model.plan.hole_vertex);
         progress_.step("checking", kSolidsEnd);
         record.checks = check_model(model, table.survey, record.units);
@@ -57,7 +79,6 @@ class Build {
         print_result(model, table.survey, record, json);
     }
 
- private:
     BoreholeTable read_table() {
         ReadBoreholesOptions options = arguments_.table.read;
         options.has_ground_raster = !arguments_.ground.empty();
@@ -70,12 +91,61 @@ class Build {
         return table;
     }
 
-    LayerModelOptions model_options(const Survey& survey) {
+    void choose_interpolator_for(const Survey& survey) {
+        if (arguments_.interpolator != "auto") {
+            interpolator_ = interpolator_kind(arguments_.interpolator);
+            return;
+        }
+        progress_.step("choosing the interpolator", 0);
+        const InterpolatorChoice choice =
+            choose_interpolator(survey, {.pinch_out = pinch_out_rule(arguments_.pinch_out)});
+        interpolator_ = choice.kind;
+        notes_.push_back(choice.reason);
+    }
+
+    int levels_for(std::size_t holes) {
+        if (arguments_.refine != "auto") return arguments_.refine[0] - '0';
+        if (arguments_.spacing == "none") return 0;
+        const int levels = suitable_refinement(holes);
+        if (levels == 0)
+            notes_.push_back(
+                fmt::format("the surfaces of so many holes ({}) are left as predicted; --refine 1 "
+                            "makes them smooth, with four times the triangles",
+                            holes));
+        return levels;
+    }
+
+    void refine(LayerModel& model, int levels, ModelRecord& record) {
+        if (levels == 0) return;
+        RefineLayersOptions options{.levels = levels};
+        options.progress = [this](const char* step, double share) {
+            progress_.step(step, kModelEnd + share * (kRefineEnd - kModelEnd));
+        };
+        RefinedLayers refined = refine_layers(model, options);
+        model = std::move(refined.model);
+        record.smoothness = refined.smoothness;
+    }
+
+    void decimate(LayerModel& model) {
+        if (arguments_.decimate < 0 && arguments_.decimate_to == 0) return;
+        progress_.step("leaving out triangles", kRefineEnd);
+        DecimateLayersOptions options;
+        if (arguments_.decimate >= 0) options.max_error = arguments_.decimate;
+        if (arguments_.decimate_to > 0) options.triangles = arguments_.decimate_to;
+        DecimatedLayers decimated = decimate_layers(model, options);
+        model = std::move(decimated.model);
+        notes_.push_back(decimated.note);
+    }
+
+    LayerModelOptions model_options(const Survey& survey, int levels) {
         LayerModelOptions options;
-        options.interpolator = interpolator_kind(arguments_.interpolator);
+        options.interpolator = interpolator_;
+        options.ring_holes = levels > 0;
         options.pinch_out = pinch_out_rule(arguments_.pinch_out);
         if (arguments_.spacing == "none")
             options.spacing = 0;
+        else if (levels > 0 && arguments_.spacing == "auto")
+            options.spacing_factor = 2;  // a coarse control mesh is smooth
         else if (arguments_.spacing != "auto")
             options.spacing = std::stod(arguments_.spacing);
         options.footprint = footprint(survey);
@@ -83,8 +153,9 @@ class Build {
         options.progress = [this](const char* step, double share) {
             progress_.step(step, kReadEnd + share * (kModelEnd - kReadEnd));
         };
-        options.before_meshing = [this, &survey](double triangles) {
-            if (!arguments_.ignore_memory) check_memory(triangles, survey.units.size(), keeps_solids());
+        options.before_meshing = [this, &survey, levels](double triangles) {
+            const double refined = triangles * std::pow(4.0, levels);
+            if (!arguments_.ignore_memory) check_memory(refined, survey.units.size(), keeps_solids());
         };
         return options;
     }
@@ -99,16 +170,17 @@ class Build {
         return box_footprint(holes, margin);
     }
 
-    static std::vector<std::string> warnings_of(const BoreholeTable& table, const LayerModel& model) {
+    std::vector<std::string> warnings_of(const BoreholeTable& table, const LayerModel& model) const {
         std::vector<std::string> warnings;
         for (const Finding& finding : table.audit.findings()) warnings.push_back(finding_line(finding));
         warnings.insert(warnings.end(), model.notes.begin(), model.notes.end());
+        warnings.insert(warnings.end(), notes_.begin(), notes_.end());
         return warnings;
     }
 
     void write_horizons(StagedFolder& folder, const LayerModel& model) {
         for (std::size_t k = 0; k < model.horizons.size(); ++k) {
-            progress_.step("writing horizons", kModelEnd);
+            progress_.step("writing horizons", kRefineEnd);
             const TriMesh surface = horizon_surface(model, k, arguments_.normals);
             const Unit& unit = model.units[k == 0 ? 0 : k - 1];
             write_mesh(folder.add("horizons/" + numbered_name(k, k == 0 ? "ground" : unit.name) + ".ply"),
@@ -121,8 +193,9 @@ class Build {
                                          ModelRecord& record) {
         std::vector<LayerSolid> kept;
         for (std::size_t i = 0; i < model.units.size(); ++i) {
-            progress_.step("building solids", kModelEnd + (kSolidsEnd - kModelEnd) * static_cast<double>(i) /
-                                                              static_cast<double>(model.units.size()));
+            progress_.step("building solids", kRefineEnd + (kSolidsEnd - kRefineEnd) *
+                                                               static_cast<double>(i) /
+                                                               static_cast<double>(model.units.size()));
             LayerSolid solid = build_layer_solid(model, i, arguments_.normals);
             record.units.push_back(summarize_unit(model, solid, survey));
             if (solid.surface.n_faces() == 0) continue;
@@ -138,11 +211,35 @@ class Build {
 
     bool keeps_solids() const {
         return arguments_.wants("obj") || arguments_.wants("glb") || arguments_.wants("3mf") ||
-               arguments_.wants("step") || arguments_.wants("png") || arguments_.wants("mlp");
+               arguments_.wants("step") || arguments_.wants("brep") || arguments_.wants("png") ||
+               arguments_.wants("mlp");
+    }
+
+    //! STEP and BREP; which bodies had to have facets goes to the warnings.
+    void write_cad(StagedFolder& folder, const LayerModel& model, const std::vector<LayerSolid>& solids,
+                   ModelRecord& record) {
+        if (!arguments_.wants("step") && !arguments_.wants("brep")) return;
+        progress_.step("making CAD solids", kSolidsEnd);
+        std::vector<CadBody> bodies;
+        if (arguments_.step == StepKind::Smooth) {
+            SmoothBodies smooth = smooth_bodies(model);
+            bodies = std::move(smooth.bodies);
+            record.warnings.insert(record.warnings.end(), smooth.notes.begin(), smooth.notes.end());
+        } else {
+            for (const LayerSolid& solid : solids)
+                for (CadBody& body : faceted_bodies(solid)) bodies.push_back(std::move(body));
+        }
+        progress_.step("writing CAD solids", kSolidsEnd);
+        if (arguments_.wants("step"))
+            write_step_document(folder.add("model.step"), bodies,
+                                {.length_unit = model.length_unit,
+                                 .origin = model.origin,
+                                 .has_parameter_curves = arguments_.step == StepKind::Smooth});
+        if (arguments_.wants("brep")) write_brep(folder.add("model.brep"), bodies);
     }
 
     void write_whole_model(StagedFolder& folder, const LayerModel& model,
-                           const std::vector<LayerSolid>& solids) {
+                           const std::vector<LayerSolid>& solids, ModelRecord& record) {
         std::vector<MeshPart> parts;
         for (const auto& solid : solids) parts.push_back({solid.unit.name, solid.unit.color, &solid.surface});
         for (const std::string format : {"obj", "glb", "3mf"}) {
@@ -152,11 +249,7 @@ class Build {
             if (format == "obj") folder.add("model.mtl");
         }
         if (arguments_.wants("mlp")) write_meshlab_project(folder.add("model.mlp"), layer_files(solids));
-        if (arguments_.wants("step")) {
-            progress_.step("writing step", kSolidsEnd);
-            write_step(folder.add("model.step"), solids,
-                       {.length_unit = model.length_unit, .origin = model.origin});
-        }
+        write_cad(folder, model, solids, record);
         if (arguments_.wants("png")) {
             progress_.step("drawing", kSolidsEnd);
             PictureOptions options;
@@ -231,6 +324,8 @@ class Build {
     const BuildArguments& arguments_;
     Progress progress_;
     std::optional<Raster> terrain_;
+    InterpolatorKind interpolator_ = InterpolatorKind::NaturalNeighbour;
+    std::vector<std::string> notes_;  // for people, beside those of the table and the model
 };
 
 }  // namespace

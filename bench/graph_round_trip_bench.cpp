@@ -14,7 +14,7 @@
 #include "bench/reeb_meshes.h"
 #include "mesh/analysis.h"
 #include "reeb/graph_of_mesh.h"
-#include "reeb/surface_construction.h"
+#include "reeb/surface_of_graph.h"
 
 namespace stratareeb {
 namespace {
@@ -58,7 +58,7 @@ void round_trip(benchmark::State& state, const TriangleSoup& soup) {
     std::size_t contours = 0;
     for (auto _ : state) {
         const auto graph = graph_of_mesh(mesh, {.levels = static_cast<std::size_t>(state.range(0))});
-        surface = construct_surface(graph);
+        surface = surface_of_graph(graph);
         contours = graph.contours.size();
     }
     const double volume = analyze(soup, {.self_intersections = false}).volume,

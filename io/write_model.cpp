@@ -40,6 +40,18 @@ Json unit_json(const LayerModel& model, std::size_t i, const UnitSummary& summar
             {"holes_at_least", summary.holes_at_least}};
 }
 
+Json smoothness_json(const SmoothnessReport& report) {
+    const auto values = [](const Smoothness& s) {
+        return Json{{"largest_jump_deg", s.largest_jump_deg}, {"bending_energy", s.bending_energy}};
+    };
+    return {{"levels", report.levels},
+            {"before", values(report.before)},
+            {"after", values(report.after)},
+            {"straightened", report.straightened},
+            {"largest_misfit", report.largest_misfit},
+            {"thinnest", report.thinnest}};
+}
+
 }  // namespace
 
 std::string numbered_name(std::size_t number, const std::string& name) {
@@ -75,6 +87,7 @@ std::string model_json(const LayerModel& model, const Survey& survey, const Mode
     for (const auto& check : record.checks)
         json["checks"].push_back({{"name", check.name}, {"ok", check.ok}, {"detail", check.detail}});
     json["misfit"] = {{"max", misfit.max}, {"rms", misfit.rms}, {"contacts", misfit.contacts}};
+    if (record.smoothness) json["smoothness"] = smoothness_json(*record.smoothness);
     json["options"] = record.options;
     json["warnings"] = record.warnings;
     json["files"] = record.files;

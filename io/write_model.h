@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "boreholes/borehole.h"
 #include "mesh/layer_model.h"
 #include "mesh/model_summary.h"
+#include "subdivision/smoothness.h"
 
 namespace stratareeb {
 
@@ -16,9 +18,10 @@ namespace stratareeb {
 struct ModelRecord {
     std::vector<UnitSummary> units;  // top first
     std::vector<ModelCheck> checks;
-    std::vector<std::string> warnings;           // from the table's audit and the completion
-    std::map<std::string, std::string> options;  // as used, by name
-    std::vector<std::string> files;              // all files of the folder, relative
+    std::vector<std::string> warnings;                // from the table's audit and the completion
+    std::map<std::string, std::string> options;       // as used, by name
+    std::vector<std::string> files;                   // all files of the folder, relative
+    std::optional<SmoothnessReport> smoothness = {};  // of refined surfaces
 };
 
 //! Two digits or more, an underscore and the name in letters that any file system takes: "03_made_ground".

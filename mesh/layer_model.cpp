@@ -182,8 +182,8 @@ LayerModel build_layer_model(const Survey& survey, const LayerModelOptions& opti
     const bool bare = model.spacing == 0;
     const auto outline =
         bare ? holes : std::make_shared<const HoleTriangulation>(model.columns.sites, kPinchHullSliver);
-    // Predictions by natural neighbours keep off the flat triangles along the hull too; the linear ones are what they are.
-    const bool smooth = options.interpolator == InterpolatorKind::NaturalNeighbour;
+    // Other predictions keep off the flat triangles along the hull too; the linear ones are what they are.
+    const bool smooth = options.interpolator != InterpolatorKind::Linear;
     const auto sites = smooth && !outline->is_flat() ? outline : holes;
     const ThicknessField field(outline, model.columns.thickness, options.pinch_out,
                                make_interpolator(options.interpolator, sites));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reeb/least_bending.h"
 
-#include <eigen3/Eigen/SparseCholesky>
+#include <Eigen/SparseCholesky>
 
 #include <cmath>
 
