@@ -16,7 +16,7 @@ foreach(header ${headers})
     list(APPEND header_sources "${source}")
 endforeach()
 add_library(stratareeb_headers OBJECT ${header_sources})
-target_link_libraries(stratareeb_headers PRIVATE stratareeb_apps stratareeb_options)
+target_link_libraries(stratareeb_headers PRIVATE stratareeb_apps Eigen3::Eigen stratareeb_options)
 target_compile_definitions(stratareeb_headers PRIVATE STRATAREEB_SOURCE_DIR="" STRATAREEB_PROGRAM="")
 
 find_package(Python3 COMPONENTS Interpreter REQUIRED)

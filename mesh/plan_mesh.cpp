@@ -48,7 +48,40 @@ using FaceBase = CGAL::Delaunay_mesh_face_base_2<
                             Kernel, CGAL::Triangulation_face_base_with_info_2<Visit, Kernel>>>>;
 using DataStructure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel, DataStructure, CGAL::Exact_predicates_tag>;
-using Criteria = CGAL::Delaunay_mesh_size_criteria_2<Cdt>;
+using SizeCriteria = CGAL::Delaunay_mesh_size_criteria_2<Cdt>;
+
+//! Angles and sizes, but nothing is asked of triangles with a very short edge: where given lines meet at a small angle,
+//! refinement may halve the same two edges in turn without end.
+class Criteria : public SizeCriteria {
+ public:
+    Criteria(double squared_sine, double size, double shortest)
+        : SizeCriteria(squared_sine, size), squared_shortest_(shortest * shortest) {}
+
+    class Is_bad : public SizeCriteria::Is_bad {
+     public:
+        Is_bad(double squared_sine, double size, double squared_shortest, const Kernel& traits)
+            : SizeCriteria::Is_bad(squared_sine, size, traits), squared_shortest_(squared_shortest) {}
+
+        using SizeCriteria::Is_bad::operator();
+        CGAL::Mesh_2::Face_badness operator()(const Cdt::Face_handle& face, Quality& quality) const {
+            for (int i = 0; i < 3; ++i)
+                if (CGAL::squared_distance(face->vertex(i)->point(), face->vertex(Cdt::ccw(i))->point()) <
+                    squared_shortest_) {
+                    quality = Quality(1, 0);
+                    return CGAL::Mesh_2::NOT_BAD;
+                }
+            return SizeCriteria::Is_bad::operator()(face, quality);
+        }
+
+     private:
+        double squared_shortest_;
+    };
+    Is_bad is_bad_object() const { return {bound(), size_bound(), squared_shortest_, traits}; }
+
+ private:
+    double squared_shortest_;
+};
+
 using CgalPoint = Kernel::Point_2;
 
 constexpr double kOnRing =
@@ -95,7 +128,8 @@ class PlanBuilder {
 
     void refine(const PlanMeshOptions& options) {
         const double sine = std::sin(options.min_angle_deg * std::numbers::pi / 180);
-        CGAL::Delaunay_mesher_2<Cdt, Criteria> mesher(cdt_, Criteria(sine * sine, options.spacing));
+        CGAL::Delaunay_mesher_2<Cdt, Criteria> mesher(
+            cdt_, Criteria(sine * sine, options.spacing, shortest_useful(options.spacing)));
         mesher.init(true);
         constexpr std::size_t kReportEvery = 4096;
         for (std::size_t steps = 0; !mesher.is_refinement_done(); ++steps) {
@@ -113,6 +147,15 @@ class PlanBuilder {
     }
 
  private:
+    //! Edges much shorter than what was given serve nobody.
+    double shortest_useful(double spacing) const {
+        constexpr double kShare = 0.02;
+        double shortest = spacing * spacing;
+        for (const auto& edge : cdt_.finite_edges())
+            shortest = std::min(shortest, cdt_.segment(edge).squared_length());
+        return kShare * std::sqrt(shortest);
+    }
+
     // Four far points around everything: no outline edge is then an edge of the hull, where a rounded
     // midpoint could fall outside of the triangulation.
     void insert_frame() {
