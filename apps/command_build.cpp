@@ -106,6 +106,13 @@ class Build {
     int levels_for(std::size_t holes) {
         if (arguments_.refine != "auto") return arguments_.refine[0] - '0';
         if (arguments_.spacing == "none") return 0;
+        const bool facets = arguments_.step == StepKind::Faceted;
+        if (facets && (arguments_.wants("step") || arguments_.wants("brep"))) {
+            notes_.push_back(
+                "the surfaces are left as predicted, since CAD programs open so many facets slowly; "
+                "--refine 1 or --step smooth makes them smooth");
+            return 0;
+        }
         const int levels = suitable_refinement(holes);
         if (levels == 0)
             notes_.push_back(
