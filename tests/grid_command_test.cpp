@@ -70,7 +70,7 @@ class GridCommand : public testing::Test {
         folder_.file("holes.csv",
                      "hole,x,y,ground,Sand,Clay\n"
                      "A,0,0,10,2,3\nB,100,0,10,2,3\nC,100,100,10,2,3\nD,0,100,10,2,3\nE,50,50,10,2,0\n");
-        const auto result = run("build holes.csv -o model --quiet");
+        const auto result = run("build holes.csv -o model --quiet --refine 0");
         EXPECT_EQ(result.exit_code, 0) << result.err;
     }
     ProgramResult run(const std::string& arguments) const { return run_program(folder_, arguments); }

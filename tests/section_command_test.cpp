@@ -25,7 +25,7 @@ class SectionCommand : public testing::Test {
  protected:
     SectionCommand() {
         folder_.file("holes.csv", kHoles);
-        const auto result = run("build holes.csv -o model --quiet");
+        const auto result = run("build holes.csv -o model --quiet --refine 0");
         EXPECT_EQ(result.exit_code, 0) << result.err;
     }
     ProgramResult run(const std::string& arguments) const { return run_program(folder_, arguments); }
