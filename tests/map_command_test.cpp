@@ -165,6 +165,7 @@ TEST(WriteGrid, reads_back_with_place_values_and_reference) {
 class MapCommand : public testing::Test {
  protected:
     MapCommand() {
+        GDALAllRegister();
         folder_.file("holes.csv",
                      "hole,x,y,ground,Sand,Clay\n"
                      "A,0,0,10,0,3\nB,100,0,10,2,3\nC,100,100,12,2,3\nD,0,100,10,2,3\nE,50,50,10,2,0\n");
