@@ -96,7 +96,7 @@ class Grid {
                     y = cubic_at((p.y - corner_.y) / step_, ny_);
         for (int j = 0; j < 4; ++j)
             for (int i = 0; i < 4; ++i) {
-                const auto k = static_cast<std::size_t>(4 * j + i);
+                const std::size_t k = 4 * static_cast<std::size_t>(j) + static_cast<std::size_t>(i);
                 node_number[k] = node(x.first + i, y.first + j);
                 share[k] = x.share[static_cast<std::size_t>(i)] * y.share[static_cast<std::size_t>(j)];
             }

@@ -48,8 +48,10 @@ Handle(Geom_Surface) patch_surface(const HeightPatch& patch) {
     TColgp_Array2OfPnt poles(1, nx, 1, ny);
     for (int i = 0; i < nx; ++i)
         for (int j = 0; j < ny; ++j)
-            poles(i + 1, j + 1) = gp_Pnt(x[static_cast<std::size_t>(i)], y[static_cast<std::size_t>(j)],
-                                         patch.coefficients[static_cast<std::size_t>(i * ny + j)]);
+            poles(i + 1, j + 1) =
+                gp_Pnt(x[static_cast<std::size_t>(i)], y[static_cast<std::size_t>(j)],
+                       patch.coefficients[static_cast<std::size_t>(i) * static_cast<std::size_t>(ny) +
+                                          static_cast<std::size_t>(j)]);
     const auto u = occt_knots(patch.x), v = occt_knots(patch.y);
     return new Geom_BSplineSurface(poles, u.places, v.places, u.multiplicities, v.multiplicities, 3, 3);
 }

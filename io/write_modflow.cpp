@@ -58,8 +58,7 @@ FlowGrid flow_grid(const LayerModel& model, const PlanGrid& plan, double thinnes
     grid.idomain.assign(model.units.size(), std::vector<int>(cells, 0));
     for (std::size_t cell = 0; cell < cells; ++cell) {
         const bool inside = !std::isnan(horizons[0][cell]);
-        for (std::size_t k = 0; k < horizons.size(); ++k)
-            horizons[k][cell] = inside ? horizons[k][cell] + model.origin.z : 0;
+        for (auto& horizon : horizons) horizon[cell] = inside ? horizon[cell] + model.origin.z : 0;
         for (std::size_t i = 0; inside && i < model.units.size(); ++i) {
             const double thickness = horizons[i][cell] - horizons[i + 1][cell];
             grid.idomain[i][cell] = thickness > 0 && thickness >= thinnest ? 1 : -1;

@@ -88,7 +88,7 @@ std::vector<PlanCollapse::Halfedge> PlanCollapse::lines_at(Vertex v) const {
 std::optional<PlanCollapse::Choice> PlanCollapse::best(Vertex v) {
     if (fixed_[index(v)]) return std::nullopt;
     const auto lines = lines_at(v);
-    if (lines.size() != 0 && lines.size() != 2) return std::nullopt;
+    if (!lines.empty() && lines.size() != 2) return std::nullopt;
     std::vector<Halfedge> ways = lines;
     if (ways.empty())
         for (const Halfedge h : mesh_.voh_range(v)) ways.push_back(h);

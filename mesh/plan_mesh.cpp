@@ -57,6 +57,7 @@ class Criteria : public SizeCriteria {
     Criteria(double squared_sine, double size, double shortest)
         : SizeCriteria(squared_sine, size), squared_shortest_(shortest * shortest) {}
 
+    // The mesher's name for it. NOLINTNEXTLINE(readability-identifier-naming)
     class Is_bad : public SizeCriteria::Is_bad {
      public:
         Is_bad(double squared_sine, double size, double squared_shortest, const Kernel& traits)

@@ -103,11 +103,13 @@ std::vector<std::vector<std::vector<Point2>>> nest_rings(std::vector<std::vector
     std::vector<std::vector<Point2>> holes;
     for (auto& ring : rings) {
         const double area = ring_area(ring);
-        if (area < 0) holes.push_back(std::move(ring));
-        if (area <= 0) continue;
-        boxes.push_back(box_of(ring));
-        areas.push_back(area);
-        nested.push_back({std::move(ring)});
+        if (area < 0) {
+            holes.push_back(std::move(ring));
+        } else if (area > 0) {
+            boxes.push_back(box_of(ring));
+            areas.push_back(area);
+            nested.push_back({std::move(ring)});
+        }
     }
     for (auto& hole : holes) {
         // Rings may touch in corners, never along edges: the middle of an edge is inside or outside.

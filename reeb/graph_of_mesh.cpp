@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <ranges>
 #include <set>
 #include <utility>
 
@@ -292,9 +293,8 @@ class GraphOfMesh {
                 places.emplace(e, static_cast<std::size_t>(above - contours_[e].begin()));
             }
         std::size_t added = 0;
-        for (auto place = places.rbegin(); place != places.rend();
-             ++place)  // from the top, so that numbers stay
-            added += add_contour_between(place->first, place->second);
+        for (const auto& [e, below] : std::views::reverse(places))  // from the top, so that numbers stay
+            added += add_contour_between(e, below);
         return added > 0;
     }
 

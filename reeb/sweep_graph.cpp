@@ -129,9 +129,9 @@ class Sweep {
     //! The edge above takes over that below.
     void drop_passed() {
         std::vector<bool> is_dropped(result_.edges.size(), false);
-        for (std::uint32_t n = 0; n < result_.nodes.size(); ++n) {
-            if (!is_passed(result_.nodes[n])) continue;
-            const std::uint32_t low = result_.nodes[n].down.front(), high = result_.nodes[n].up.front();
+        for (const auto& node : result_.nodes) {
+            if (!is_passed(node)) continue;
+            const std::uint32_t low = node.down.front(), high = node.up.front();
             SweepEdge &below = result_.edges[low], &above = result_.edges[high];
             above.segments.insert(above.segments.begin(), below.segments.begin(), below.segments.end());
             above.lower = below.lower;

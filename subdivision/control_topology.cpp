@@ -50,7 +50,7 @@ void require_manifold(const ControlMesh& mesh, const Far::TopologyLevel& base) {
                                            edge_place(mesh, ends[0], ends[1])));
     }
     for (int v = 0; v < base.GetNumVertices(); ++v)
-        if (base.IsVertexNonManifold(v) && base.GetVertexFaces(v).size() > 0)
+        if (base.IsVertexNonManifold(v) && !base.GetVertexFaces(v).empty())
             throw InvalidInput(
                 fmt::format("vertex {} has more than one fan of faces (not a manifold)", place_of(mesh, v)));
 }

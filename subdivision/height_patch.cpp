@@ -100,8 +100,8 @@ class Equations {
         const auto n = static_cast<Eigen::Index>(patch.x.functions() * patch.y.functions());
         Triplets entries;
         add_bending(entries, patch, bending);
-        A_.resize(n, n);
-        A_.setFromTriplets(entries.begin(), entries.end());
+        matrix_.resize(n, n);
+        matrix_.setFromTriplets(entries.begin(), entries.end());
         b_ = Eigen::VectorXd::Zero(n);
     }
 
@@ -112,12 +112,12 @@ class Equations {
             const double wi = weight * vx.value[i / 4] * vy.value[i % 4];
             b_[row] += wi * sample.z;
             for (int j = 0; j < 16; ++j)
-                A_.coeffRef(row, index(vx, vy, j)) += wi * vx.value[j / 4] * vy.value[j % 4];
+                matrix_.coeffRef(row, index(vx, vy, j)) += wi * vx.value[j / 4] * vy.value[j % 4];
         }
     }
 
     std::vector<double> solve() const {
-        const Eigen::SimplicialLDLT<Matrix> solver(A_);
+        const Eigen::SimplicialLDLT<Matrix> solver(matrix_);
         if (solver.info() != Eigen::Success)
             throw GeometryError("a smooth surface can't be fitted: its equations have no solution");
         const Eigen::VectorXd x = solver.solve(b_);
@@ -131,7 +131,7 @@ class Equations {
 
     const HeightPatch& patch_;
     int ny_;
-    Matrix A_;
+    Matrix matrix_;
     Eigen::VectorXd b_;
 };
 

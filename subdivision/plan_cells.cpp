@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <ranges>
 
 #include "subdivision/plan_levels.h"
 
@@ -289,7 +290,7 @@ class Builder {
         };
         for (const auto l : run) wall.loop.push_back({edge(l, layer + 1), true});
         add_upright(wall.loop, cells_.lines[run.back()].vertices.back(), layer, true);
-        for (auto l = run.rbegin(); l != run.rend(); ++l) wall.loop.push_back({edge(*l, layer), false});
+        for (const auto l : std::views::reverse(run)) wall.loop.push_back({edge(l, layer), false});
         add_upright(wall.loop, cells_.lines[run.front()].vertices.front(), layer, false);
         const auto f = index(plan_.face_handle(first_half_[run.front()]));
         cells_.bodies[body_of_[layer][f]].walls.push_back(std::move(wall));

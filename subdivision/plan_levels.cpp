@@ -39,16 +39,16 @@ PlanLevels::PlanLevels(const LayerModel& model)
         open &= ~(model.regions.zero_at[index(plan_.from_vertex_handle(h))] &
                   model.regions.zero_at[index(plan_.to_vertex_handle(h))]);
     }
-    for (std::size_t f = 0; f < in_face.size(); ++f) {
+    for (const LayerSet& present : in_face) {
         first_.push_back(interfaces_.size());
-        if (in_face[f].none()) continue;
+        if (present.none()) continue;
         std::uint32_t above = kNone;
         const auto add = [&](std::uint32_t below, std::uint32_t horizon) {
             interfaces_.push_back({static_cast<std::uint32_t>(interfaces_.size()), above, below, horizon});
             above = below;
         };
         for (std::uint32_t layer = 0; layer < layers_; ++layer)
-            if (in_face[f][layer]) add(layer, layer);
+            if (present[layer]) add(layer, layer);
         add(kNone, layers_);
     }
     first_.push_back(interfaces_.size());

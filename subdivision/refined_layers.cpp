@@ -125,11 +125,11 @@ class LayerRefinement {
         return handed_[layer];
     }
 
-    void receive(std::map<std::size_t, std::vector<double>> bends) {
-        for (auto& [to, bend] : bends) {
+    void receive(const std::map<std::size_t, std::vector<double>>& bends) {
+        for (const auto& [to, bend] : bends) {
             auto& sum = handed_[to];
             if (sum.empty())
-                sum = std::move(bend);
+                sum = bend;
             else
                 for (std::size_t v = 0; v < sum.size(); ++v) sum[v] += bend[v];
         }
