@@ -75,9 +75,9 @@ class MapRun {
  private:
     void find_lines() {
         const bool whole = subject_ == MapSubject::Ground;
-        use_ = whole ? std::vector<char>{} : layer_vertices(model_, layer_);
+        const std::vector<char> use = whole ? std::vector<char>{} : layer_vertices(model_, layer_);
         field_ = mapped_field(model_, subject_, layer_);
-        interval_ = arguments_.interval > 0 ? arguments_.interval : suitable_interval(field_, use_);
+        interval_ = arguments_.interval > 0 ? arguments_.interval : suitable_interval(field_, use);
         lines_ = contour_lines(model_, subject_, layer_, interval_);
         if (!whole) areas_ = layer_areas(model_, layer_);
         if (!whole && areas_.empty())
@@ -216,7 +216,6 @@ class MapRun {
     std::size_t layer_ = 0;
     double interval_ = 0;
     std::vector<double> field_;
-    std::vector<char> use_;
     std::vector<ContourLine> lines_;
     std::vector<MapArea> areas_;
 };

@@ -84,6 +84,13 @@ void DrawingPage::circle(double x, double y, double radius) {
     cairo_arc(cairo_->get(), x, y, radius, 0, 2 * std::numbers::pi);
     close();
 }
+void DrawingPage::box(double x, double y, double width, double height) {
+    move_to(x, y);
+    line_to(x + width, y);
+    line_to(x + width, y + height);
+    line_to(x, y + height);
+    close();
+}
 void DrawingPage::stroke() {
     cairo_stroke(cairo_->get());
 }
@@ -111,6 +118,17 @@ void DrawingPage::text(double x, double y, const std::string& text, double size,
     const double share = align == TextAlign::Left ? 0 : align == TextAlign::Middle ? 0.5 : 1;
     cairo_move_to(cairo_->get(), x - share * extents.x_advance, y);
     cairo_show_text(cairo_->get(), text.c_str());
+}
+
+void DrawingPage::swatch(double x, double y, const Rgb& color, double opacity, const Rgb& outline,
+                         const std::string& name) {
+    box(x, y, 20, 12);
+    ink(color, opacity);
+    fill_and_keep();
+    ink(outline);
+    line_width(0.7);
+    stroke();
+    text(x + 28, y + 10, name, 11);
 }
 
 std::string DrawingPage::finish() {

@@ -30,6 +30,7 @@ class DrawingPage {
     void curve_to(double x1, double y1, double x2, double y2, double x, double y);
     void close();
     void circle(double x, double y, double radius);
+    void box(double x, double y, double width, double height);
     void stroke();
     void fill();           // even-odd
     void fill_and_keep();  // the path, for a stroke
@@ -38,6 +39,9 @@ class DrawingPage {
 
     void text(double x, double y, const std::string& text, double size, TextAlign align = TextAlign::Left,
               bool bold = false);
+    //! A legend's entry: a small box of a colour, outlined in ink, and its name beside it.
+    void swatch(double x, double y, const Rgb& color, double opacity, const Rgb& outline,
+                const std::string& name);
     //! The file's bytes; the page takes no more.
     //! \throw IoError if the drawing library refuses
     std::string finish();

@@ -128,7 +128,7 @@ class MapDrawing {
             ++i;
         }
         const double at_x = (x(p[i]) + x(p[i + 1])) / 2, at_y = (y(p[i]) + y(p[i + 1])) / 2;
-        box(page, at_x - room / 2 - 1, at_y - kLabelSize / 2 - 0.5, room + 2, kLabelSize + 1);
+        page.box(at_x - room / 2 - 1, at_y - kLabelSize / 2 - 0.5, room + 2, kLabelSize + 1);
         page.ink(kWhite, 0.85);
         page.fill();
         page.ink(kInk);
@@ -158,18 +158,10 @@ class MapDrawing {
         }
     }
 
-    static void box(DrawingPage& page, double x, double y, double width, double height) {
-        page.move_to(x, y);
-        page.line_to(x + width, y);
-        page.line_to(x + width, y + height);
-        page.line_to(x, y + height);
-        page.close();
-    }
-
     void draw_frame(DrawingPage& page) const {
         page.ink(kFrame);
         page.line_width(0.9);
-        box(page, left_, kTop, width_, height_);
+        page.box(left_, kTop, width_, height_);
         page.stroke();
     }
 
@@ -177,13 +169,8 @@ class MapDrawing {
         const double at_x = left_ + std::max(width_, 260.0) + kMargin;
         double at = kTop + 4;
         for (const std::size_t entry : shown_) {
-            box(page, at_x, at, 20, 12);
-            page.ink(map_.legend[entry].color, map_.lines.empty() ? 1 : 0.4);
-            page.fill_and_keep();
-            page.ink(kInk);
-            page.line_width(0.7);
-            page.stroke();
-            page.text(at_x + 28, at + 10, map_.legend[entry].name, 11);
+            const PlanMap::Entry& shown = map_.legend[entry];
+            page.swatch(at_x, at, shown.color, map_.lines.empty() ? 1 : 0.4, kInk, shown.name);
             at += kLegendRow;
         }
         if (map_.points.empty()) return;

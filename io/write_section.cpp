@@ -143,7 +143,7 @@ class SectionDrawing {
         for (const SectionHole& hole : options_.holes) {
             const double at = x(hole.along), width = kHoleWidth;
             for (const LogInterval& interval : hole.log) {
-                box(page, at - width / 2, y(interval.top), width, y(interval.base) - y(interval.top));
+                page.box(at - width / 2, y(interval.top), width, y(interval.base) - y(interval.top));
                 page.ink(rgb_from_text(units_[interval.layer].color));
                 page.fill_and_keep();
                 page.ink(kInk);
@@ -159,31 +159,18 @@ class SectionDrawing {
         }
     }
 
-    static void box(DrawingPage& page, double x, double y, double width, double height) {
-        page.move_to(x, y);
-        page.line_to(x + width, y);
-        page.line_to(x + width, y + height);
-        page.line_to(x, y + height);
-        page.close();
-    }
-
     void draw_frame(DrawingPage& page) const {
         page.ink(kFrame);
         page.line_width(0.9);
-        box(page, left_, top_, right() - left_, plot_height_);
+        page.box(left_, top_, right() - left_, plot_height_);
         page.stroke();
     }
 
     void draw_legend(DrawingPage& page) const {
         double at = top_ + 4;
         for (const std::size_t layer : shown_) {
-            box(page, right() + kMargin, at, 20, 12);
-            page.ink(rgb_from_text(units_[layer].color));
-            page.fill_and_keep();
-            page.ink(kInk);
-            page.line_width(0.7);
-            page.stroke();
-            page.text(right() + kMargin + 28, at + 10, units_[layer].name, 11);
+            page.swatch(right() + kMargin, at, rgb_from_text(units_[layer].color), 1, kInk,
+                        units_[layer].name);
             at += kLegendRow;
         }
     }
