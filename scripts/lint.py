@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Lints of the source tree, each a ctest test: `lint.py includes|text|format|tidy [--build DIR] [--tests]`.
+"""Lints of the source tree, each a ctest test: `lint.py includes|text|format|tidy [--build DIR] [--tests] [--record]`.
 
 includes  rooms include only along the arrows that docs/architecture.md draws; headers keep heavy libraries out
 text      a licence line first, headers guarded, no link of a page broken, nothing left to do
 format    clang-format 14 would change nothing
-tidy      clang-tidy 14 has nothing to say; files that passed are remembered in DIR/tidy by content. --tests: of tests too
+tidy      clang-tidy 14 has nothing to say. It takes seconds a file, so files that passed are remembered by content (their own,
+          their headers' and the checks') in DIR/tidy, and by --record in scripts/tidy_passed.txt, for fresh clones.
+          --tests: of tests too
 """
 import argparse
 import concurrent.futures
@@ -26,6 +28,8 @@ UNBOUND = {"tests", "bench"}  # may include any room
 PUBLIC_LIBRARIES = re.compile(r"OpenMesh/")
 EXTRA_LIBRARIES = {"io": re.compile(r"fmt/|nlohmann/json_fwd"), "apps": re.compile(r"CLI/|fmt/|nlohmann/"),
                    "tests": re.compile(""), "bench": re.compile("")}
+
+TIDY_PASSED = ROOT / "scripts/tidy_passed.txt"  # key of the content and file, a line each
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
@@ -146,11 +150,11 @@ def with_own_headers(path, seen):
     return sorted(seen)
 
 
-def content_key(path, command):
-    digest = hashlib.sha256((ROOT / ".clang-tidy").read_bytes() + command.encode())
+def content_key(path):
+    digest = hashlib.sha256((ROOT / ".clang-tidy").read_bytes())
     for part in with_own_headers(path, set()):
         digest.update(str(part).encode() + (ROOT / part).read_bytes())
-    return digest.hexdigest()
+    return digest.hexdigest()[:32]
 
 
 def tidy_one(path, build):
@@ -166,23 +170,28 @@ def tidy_one(path, build):
     return [l for l in said if "[clang-diagnostic-error]" not in l]
 
 
+def tidied_sources(args):
+    """Sources that the build compiles and clang-tidy is to look at, with the key of their content."""
+    rooms = [room for room in ROOMS if room != "tests" or args.tests]
+    entries = json.loads((args.build / "compile_commands.json").read_text())
+    paths = sorted({pathlib.Path(os.path.relpath(entry["file"], ROOT)) for entry in entries})
+    return [(path, content_key(path)) for path in paths if path.parts[0] in rooms]
+
+
 def lint_tidy(args):
-    build, rooms = args.build, [room for room in ROOMS if room != "tests" or args.tests]
-    remembered = build / "tidy"
+    remembered = args.build / "tidy"
     remembered.mkdir(exist_ok=True)
-    work = []
-    for entry in json.loads((build / "compile_commands.json").read_text()):
-        path = pathlib.Path(os.path.relpath(entry["file"], ROOT))
-        if path.parts[0] in rooms:
-            stamp = remembered / content_key(path, entry["command"])
-            if not stamp.exists():
-                work.append((path, stamp))
+    recorded = set(TIDY_PASSED.read_text().split()) if TIDY_PASSED.is_file() else set()
+    files = tidied_sources(args)
+    work = [(path, key) for path, key in files if key not in recorded and not (remembered / key).exists()]
     problems = []
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for (path, stamp), said in zip(work, pool.map(lambda w: tidy_one(w[0], build), work)):
+        for (path, key), said in zip(work, pool.map(lambda w: tidy_one(w[0], args.build), work)):
             problems += said
             if not said:
-                stamp.touch()
+                (remembered / key).touch()
+    if args.record and not problems:
+        TIDY_PASSED.write_text("".join(f"{key} {path}\n" for path, key in files))
     return sorted(set(problems))
 
 
@@ -192,6 +201,7 @@ def main():
     parser.add_argument("lint", choices=lints)
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build")
     parser.add_argument("--tests", action="store_true", help="tidy: look at tests too, which takes as long again")
+    parser.add_argument("--record", action="store_true", help="tidy: write scripts/tidy_passed.txt if nothing was found")
     args = parser.parse_args()
     args.build = args.build.resolve()
     problems = lints[args.lint](args)
