@@ -10,12 +10,11 @@
 
 #include "apps/command.h"
 #include "apps/keep_existing.h"
-#include "apps/map_output.h"
 #include "apps/mesh_report.h"
 #include "boreholes/errors.h"
 #include "io/axis_ticks.h"
 #include "io/drawing_page.h"
-#include "io/model_maps.h"
+#include "io/map_drawing.h"
 #include "io/write_grid.h"
 #include "mesh/model_grid.h"
 #include "mesh/plan_areas.h"
@@ -33,6 +32,13 @@ struct MapArguments {
     bool json = false, overwrite = false;
 };
 
+MapSubject subject_of(const std::string& show) {
+    return show == "top"         ? MapSubject::Top
+           : show == "base"      ? MapSubject::Base
+           : show == "thickness" ? MapSubject::Thickness
+                                 : MapSubject::Ground;
+}
+
 //! One map, from what was asked to files.
 class MapRun {
  public:
@@ -41,23 +47,21 @@ class MapRun {
           saved_(saved),
           model_(saved.model),
           is_geology_(arguments.show == "geology") {
-        subject_ = arguments.show == "top"         ? MapSubject::Top
-                   : arguments.show == "base"      ? MapSubject::Base
-                   : arguments.show == "thickness" ? MapSubject::Thickness
-                                                   : MapSubject::Ground;
         if (!arguments.unit.empty()) layer_ = unit_by_name(model_, arguments.unit);
         if (is_geology_)
-            for (auto& area : geological_map(model_)) areas_.push_back({std::move(area.rings), area.label});
+            areas_ = geology_areas(model_);
         else
-            find_lines();
+            contours_ = contour_map(model_, subject_of(arguments.show), layer_, arguments.interval);
     }
 
     void write(const std::string& file) const {
         if (is_drawing_file(file))
-            write_plan_map(file, drawn());
+            write_plan_map(file, is_geology_ ? geology_drawing(saved_, areas_, arguments_.title)
+                                             : drawn_map(saved_, contours_, arguments_.title));
         else if (is_feature_file(file))
-            write_features(file, features(),
-                           {.table = arguments_.show, .crs = arguments_.crs, .flat = false});
+            write_features(
+                file, is_geology_ ? area_features(areas_, model_.units) : line_features(model_, contours_),
+                {.table = arguments_.show, .crs = arguments_.crs, .flat = false});
         else
             write_grid(file, gridded(), arguments_.crs);
     }
@@ -68,67 +72,22 @@ class MapRun {
         else if (is_geology_)
             print_areas();
         else
-            fmt::print("{}: {} lines, every {:g} {}\n", subject_words(model_, subject_, layer_),
-                       lines_.size(), interval_, model_.length_unit);
+            fmt::print("{}: {} lines, every {:g} {}\n", subject_words(model_, contours_.subject, layer_),
+                       contours_.lines.size(), contours_.interval, model_.length_unit);
     }
 
  private:
-    void find_lines() {
-        const bool whole = subject_ == MapSubject::Ground;
-        const std::vector<char> use = whole ? std::vector<char>{} : layer_vertices(model_, layer_);
-        field_ = mapped_field(model_, subject_, layer_);
-        interval_ = arguments_.interval > 0 ? arguments_.interval : suitable_interval(field_, use);
-        lines_ = contour_lines(model_, subject_, layer_, interval_);
-        if (!whole) areas_ = layer_areas(model_, layer_);
-        if (!whole && areas_.empty())
-            throw InvalidInput(fmt::format("unit '{}' is absent everywhere; there is nothing to map",
-                                           model_.units[layer_].code));
-    }
-
-    PlanMap drawn() const {
-        const std::string about =
-            is_geology_ ? "units at the ground" : subject_words(model_, subject_, layer_);
-        PlanMap map = map_of(saved_, arguments_.title.empty() ? about : arguments_.title);
-        map.areas = areas_;
-        if (is_geology_) return map;
-        map.note = fmt::format("{}lines every {:g} {}", arguments_.title.empty() ? "" : about + ", ",
-                               interval_, model_.length_unit);
-        constexpr int kBoldEvery = 5;
-        for (const ContourLine& line : lines_) {
-            const bool bold = std::llround(line.value / interval_) % kBoldEvery == 0;
-            map.lines.push_back({line.points, line.closed, tick_text(line.value, interval_), bold});
-        }
-        return map;
-    }
-
-    std::vector<MapFeature> features() const {
-        if (is_geology_) return area_features(areas_, model_.units);
-        std::vector<MapFeature> features;
-        for (const ContourLine& line : lines_) {
-            const bool whole = subject_ == MapSubject::Ground;
-            MapFeature feature{.kind = MapFeature::Kind::Line,
-                               .parts = {{}},
-                               .layer = whole ? "ground" : model_.units[layer_].code,
-                               .color = "#404040",
-                               .attributes = {{"value", line.value}, {"closed", line.closed ? 1.0 : 0.0}}};
-            const double z = subject_ == MapSubject::Thickness ? 0 : line.value;
-            for (const Point2& p : line.points) feature.parts[0].push_back({p.x, p.y, z});
-            if (line.closed) feature.parts[0].push_back(feature.parts[0].front());
-            features.push_back(std::move(feature));
-        }
-        return features;
-    }
-
     Grid gridded() const {
         if (is_geology_) return unit_grid();
         const PlanGrid plan = plan_grid();
-        auto values = rasterized(model_, plan, {&field_});
-        if (subject_ == MapSubject::Top || subject_ == MapSubject::Base) hide_absent(plan, values[0]);
+        auto values = rasterized(model_, plan, {&contours_.field});
+        if (contours_.subject == MapSubject::Top || contours_.subject == MapSubject::Base)
+            hide_absent(plan, values[0]);
         return {.north_west = plan.north_west,
                 .cell = plan.cell,
                 .columns = plan.columns,
                 .rows = plan.rows,
-                .bands = {{subject_words(model_, subject_, layer_), std::move(values[0])}}};
+                .bands = {{subject_words(model_, contours_.subject, layer_), std::move(values[0])}}};
     }
 
     //! Top and base mean nothing where the layer is not.
@@ -197,10 +156,10 @@ class MapRun {
                     {{"order", i + 1}, {"code", model_.units[i].code}, {"area", sizes[i]}});
             return result;
         }
-        if (subject_ != MapSubject::Ground) result["unit"] = model_.units[layer_].code;
-        result["interval"] = interval_;
+        if (contours_.subject != MapSubject::Ground) result["unit"] = model_.units[layer_].code;
+        result["interval"] = contours_.interval;
         result["lines"] = json::array();
-        for (const ContourLine& line : lines_) {
+        for (const ContourLine& line : contours_.lines) {
             json points = json::array();
             for (const Point2& p : line.points) points.push_back({p.x, p.y});
             result["lines"].push_back({{"value", line.value}, {"closed", line.closed}, {"points", points}});
@@ -212,12 +171,9 @@ class MapRun {
     const SavedModel& saved_;
     const LayerModel& model_;
     bool is_geology_;
-    MapSubject subject_ = MapSubject::Ground;
     std::size_t layer_ = 0;
-    double interval_ = 0;
-    std::vector<double> field_;
-    std::vector<ContourLine> lines_;
-    std::vector<MapArea> areas_;
+    ContourMap contours_;
+    std::vector<MapArea> areas_;  // of the geological map
 };
 
 void check_usage(const MapArguments& arguments) {

@@ -11,10 +11,10 @@
 
 #include "apps/command.h"
 #include "apps/keep_existing.h"
-#include "apps/map_output.h"
 #include "apps/mesh_report.h"
 #include "boreholes/errors.h"
 #include "io/drawing_page.h"
+#include "io/map_drawing.h"
 #include "io/read_model.h"
 #include "io/write_features.h"
 #include "io/write_section.h"
