@@ -21,7 +21,9 @@ void add_reeb_command(CLI::App& program);
 void add_refine_command(CLI::App& program);
 void add_sample_command(CLI::App& program);
 void add_section_command(CLI::App& program);
+void add_report_command(CLI::App& program);
 void add_validate_command(CLI::App& program);
+void add_view_command(CLI::App& program);
 
 //! Thrown by a command that did its work and found a failure to report by exit code 1, its text already printed.
 struct CommandFailed {};

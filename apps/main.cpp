@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
     add_sample_command(program);
     add_section_command(program);
     add_validate_command(program);
+    add_view_command(program);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page at work: settings in, drawing out.
+import { ClipUniforms } from './clip.js';
+import { ContoursView } from './contours_view.js';
+import { cutOf, slabRange } from './cut.js';
+import { CutHandle } from './cut_handle.js';
+import { FrameView } from './frame_view.js';
+import { graphDiagram } from './graph_diagram.js';
+import { GraphView } from './graph_view.js';
+import { pickedIn } from './graphs.js';
+import { HolesView, suitableRadius } from './holes_view.js';
+import { LayersView } from './layers_view.js';
+import { roundUp } from './level_lines.js';
+import { grouped } from './model.js';
+import { layerColors } from './palette.js';
+import { download, pictureOf } from './picture.js';
+import { PlanGrid } from './plan_grid.js';
+import { Pointer } from './pointer.js';
+import { opacityOf, toFragment } from './settings.js';
+
+const kFlat = 0.22; // of its length that a model's height should look like
+
+/** How much to exaggerate heights so that layers can be told apart. */
+export function suitableExaggeration({ low, high }) {
+  const wide = Math.max(high[0] - low[0], high[1] - low[1]);
+  const tall = high[2] - low[2] || 1;
+  const wanted = (kFlat * wide) / tall;
+  return wanted <= 1.3 ? 1 : roundUp(wanted) > 2 * wanted ? wanted : roundUp(wanted / 1.4);
+}
+
+const kThemes = {
+  light: { background: '#f3f5f7', ink: '#20262c' },
+  dark: { background: '#171b20', ink: '#dfe4ea' },
+};
+
+export class App {
+  #graphListeners = [];
+
+  constructor(model, settings, stage, overlay) {
+    Object.assign(this, { model, settings, stage, overlay });
+    this.units = model.units;
+    this.holes = model.holes;
+    this.box = model.plan.box;
+    this.datum = model.datum;
+    this.lengthUnit = model.unit;
+    this.report = model.report;
+    this.canCompare = model.straight !== null;
+    this.colors = layerColors(model.units, settings.values.palette);
+    this.#makeViews();
+    this.tell = () => {};
+    this.update(settings.values, new Set(Object.keys(settings.values)));
+    settings.onChange((values, changed) => this.update(values, changed));
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.update(settings.values, new Set(['theme'])));
+  }
+
+  #makeViews() {
+    const { model, stage } = this;
+    this.clip = new ClipUniforms();
+    this.layersView = new LayersView(model.plan, this.clip);
+    this.holesView = new HolesView(model.holes, this.clip);
+    this.contoursView = new ContoursView(this.layersView, this.clip);
+    this.graphView = new GraphView(this.layersView, this.clip);
+    this.frameView = new FrameView(this.overlay.ticks);
+    this.handle = new CutHandle(this, this.overlay.knobs);
+    this.pointer = new Pointer(this, stage, this.overlay.labels);
+    this.halves = [null, { view: this.layersView, grid: model.grid }];
+    const views = [this.layersView, this.holesView, this.contoursView, this.graphView, this.frameView, this.handle, this.pointer];
+    stage.model.add(...views.map(({ root }) => root));
+    stage.beforeHalf = (half) => {
+      this.layersView.root.visible = half === 1;
+      this.contoursView.root.visible = half === 1;
+      this.graphView.root.visible = half === 1;
+      if (this.halves[0]) this.halves[0].view.root.visible = half === 0;
+    };
+    stage.afterFrame = () => this.#follow();
+    this.sizeText = `${grouped(this.layersView.triangles, 7)} triangles, ${grouped(model.plan.vertices, 7)} plan vertices`;
+  }
+
+  isPresent(layer) {
+    return this.model.isPresent(layer);
+  }
+
+  volumeText({ volume }) {
+    return volume === undefined ? '' : `${grouped(volume, 4)} ${this.lengthUnit}³`;
+  }
+
+  slabText(values) {
+    if (values.slab === 0) return 'all depths';
+    const [from, to] = slabRange(this.box, Math.min(values.slab, values.slabs) - 1, values.slabs);
+    return `slab ${values.slab} of ${values.slabs}, z ${this.model.coordinate(from, 2)} to ${this.model.coordinate(to, 2)} ${this.lengthUnit}`;
+  }
+
+  shownLayers() {
+    return this.units.map((_, i) => i).filter((i) => opacityOf(this.settings.values, i) > 0);
+  }
+
+  isSeeThrough(layer) {
+    return opacityOf(this.settings.values, layer) < 1 || this.settings.values.reeb !== 'off';
+  }
+
+  holeRadius() {
+    return suitableRadius(this.holes, this.box) * this.settings.values.holeSize;
+  }
+
+  project(p) {
+    return this.stage.project(p);
+  }
+
+  get theme() {
+    const { theme } = this.settings.values;
+    if (theme !== 'auto') return theme;
+    return matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light';
+  }
+
+  /** Bring everything in line with settings of which some changed. */
+  update(values, changed) {
+    const has = (...keys) => keys.some((key) => changed.has(key));
+    if (has('theme')) this.#updateTheme();
+    if (has('palette')) this.#updateColors(values);
+    if (has('explode', 'exaggeration')) this.#updatePlaces(values);
+    if (has('compare')) this.#updateCompare(values);
+    if (has('hidden', 'opacity', 'faint', 'reeb', 'compare')) this.#each((view) => view.setOpacities(values, this.#focus(values)));
+    if (has('smooth', 'edges', 'compare')) this.#each((view) => view.setShading(values));
+    if (has('cut', 'cutAt', 'cutFlip', 'azimuth', 'dip', 'block', 'blockShares', 'slab', 'slabs', 'compare')) this.#updateCut(values);
+    if (has('holes', 'holesCut', 'holeSize', 'explode', 'exaggeration')) this.#updateHoles(values);
+    if (has('contours', 'interval', 'level')) this.contoursView.set(values, this.datum[2]);
+    if (has('contours', 'interval', 'level', 'explode', 'hidden', 'opacity', 'faint')) this.#placeContours(values);
+    if (has('reeb', 'explode', 'palette')) this.#updateGraph(values);
+    if (has('reeb', 'picked', 'explode', 'palette', 'theme')) this.#updatePicked(values);
+    if (has('orthographic')) this.stage.setParallel(values.orthographic);
+    if (has('frame', 'explode', 'theme')) this.#updateFrame(values);
+    this.stage.request();
+  }
+
+  #each(act) {
+    for (const half of this.halves) if (half) act(half.view);
+  }
+
+  #focus({ reeb }) {
+    if (reeb === 'off') return null;
+    return reeb === 'layered' ? 'all' : Number(reeb);
+  }
+
+  #updateTheme() {
+    const { background, ink } = kThemes[this.theme];
+    document.documentElement.dataset.theme = this.theme;
+    this.stage.renderer.setClearColor(background, 1);
+    for (const view of [this.frameView, this.handle, this.contoursView]) view.setInk(ink);
+    this.contoursView.setInk('#15191d');
+  }
+
+  #updateColors({ palette }) {
+    this.colors = layerColors(this.units, palette);
+    this.#each((view) => view.setColors(this.colors));
+    this.holesView.setColors(this.colors);
+  }
+
+  #updatePlaces({ explode, exaggeration }) {
+    const gap = explode * (this.box.high[2] - this.box.low[2]);
+    this.lift = this.units.map((_, i) => gap * (this.units.length - 1 - i));
+    this.#each((view) => view.setLift(this.lift));
+    this.stage.model.scale.z = exaggeration;
+    const { low, high } = this.box;
+    this.stage.bounds = {
+      low: [low[0], low[1], low[2] * exaggeration],
+      high: [high[0], high[1], (high[2] + (this.lift[0] ?? 0)) * exaggeration],
+    };
+  }
+
+  #updateCompare({ compare }) {
+    const wanted = compare && this.canCompare;
+    if (wanted && !this.halves[0]) {
+      const { straight } = this.model;
+      const view = new LayersView(straight, this.clip);
+      view.setColors(this.colors);
+      view.setLift(this.lift);
+      this.halves[0] = { view, grid: new PlanGrid(straight) };
+      this.stage.model.add(view.root);
+    }
+    this.stage.split = wanted;
+    this.overlay.halves.hidden = !wanted;
+  }
+
+  #updateCut(values) {
+    this.cut = cutOf(values, this.box);
+    this.clip.set(this.cut);
+    this.layersView.setCut(this.cut);
+    if (values.compare && this.halves[0]) this.halves[0].view.setCut(this.cut);
+    this.handle.set(values);
+  }
+
+  #updateHoles(values) {
+    this.holesView.place(this.holeRadius(), this.lift, values.exaggeration);
+    this.holesView.setShown(values.holes, values.holesCut);
+  }
+
+  #placeContours(values) {
+    this.contoursView.place(values, this.lift, (i) => opacityOf(values, i) > 0);
+  }
+
+  #updateGraph({ reeb }) {
+    const number = Number(reeb);
+    if (reeb === 'off') this.graph = null;
+    else this.graph = reeb === 'layered' ? this.model.graphs.layered(this.colors) : (this.model.graphs.layers[number] ?? null);
+    this.graphView.show(this.graph, this.lift);
+  }
+
+  #updatePicked({ picked }) {
+    this.graphView.pick(this.graph ? pickedIn(this.graph, picked) : null, this.lift, kThemes[this.theme].ink);
+    this.#tellGraph();
+  }
+
+  #updateFrame(values) {
+    this.frameView.root.visible = values.frame;
+    const { low, high } = this.box;
+    this.frameView.set({ low, high: [high[0], high[1], high[2]] }, this.datum);
+  }
+
+  /** Labels keep up with the camera. */
+  #follow() {
+    const project = (p, half) => this.stage.project(p, half);
+    this.handle.follow(project);
+    this.pointer.follow(project);
+    this.frameView.label(project, this.settings.values.frame && !this.stage.split);
+    this.afterFrame?.();
+  }
+
+  onGraph(listener) {
+    this.#graphListeners.push(listener);
+    this.#tellGraph();
+  }
+
+  #tellGraph() {
+    const { graph } = this;
+    const { picked } = this.settings.values;
+    const diagram = graph && graph.nodes.length > 0
+      ? graphDiagram(graph, {
+          datum: this.datum[2],
+          names: this.units.map(({ name }) => name),
+          unit: this.lengthUnit,
+          picked,
+          onPick: (word) => this.settings.set({ picked: picked === word ? '' : word }),
+        })
+      : null;
+    for (const listener of this.#graphListeners) listener(diagram, graph ? this.#graphText(graph, picked) : '');
+  }
+
+  #graphText(graph, picked) {
+    const counts = `${graph.nodes.length} nodes, ${graph.arcs.length} arcs${graph.layer === null ? '' : `, ${graph.loops} loops`}`;
+    const share = graph.share > 0 ? `, without what rises less than ${+(100 * graph.share).toFixed(1)} % of the height` : '';
+    const found = pickedIn(graph, picked);
+    if (!found) return `${counts}${share}. Pick a node or an arc.`;
+    const z = (node) => `${this.model.coordinate(graph.nodes[node].at[2], 2)} ${this.lengthUnit}`;
+    if (found.node !== undefined) return `${graph.nodes[found.node].type === 'level' ? 'Level' : graph.nodes[found.node].type} at ${z(found.node)}. ${counts}${share}.`;
+    const arc = graph.arcs[found.arc];
+    return `${this.units[arc.layer].name}: arc from ${z(arc.from)} to ${z(arc.to)}. ${counts}${share}.`;
+  }
+
+  holeLabel({ hole, layer, top, base, whole }) {
+    const z = (value) => this.model.coordinate(value, 2);
+    const { id, top: ground } = this.holes[hole];
+    const depth = ground === null ? '' : `, depth ${(ground - top).toFixed(2)}–${(ground - base).toFixed(2)}`;
+    return `${id}: ${this.units[layer].name}, z ${z(top)} to ${whole ? '' : 'below '}${z(base)}${depth} ${this.lengthUnit}`;
+  }
+
+  /** Words for what the pointer is over: [[what, text], …]. */
+  wordsFor(found) {
+    if (!found) return [];
+    const { point, layer } = found;
+    const at = [0, 1, 2].map((axis) => [['x', 'y', 'z'][axis], this.model.coordinate(point[axis], axis)]);
+    if (found.kind === 'hole') return [['hole', this.holeLabel(found.column)], ...at];
+    const column = this.model.column(point[0], point[1]);
+    const facts = column
+      ? [['thickness', `${(column[layer] - column[layer + 1]).toFixed(2)} ${this.lengthUnit}`], ['depth', `${Math.max(0, column[0] - point[2]).toFixed(2)} ${this.lengthUnit}`]]
+      : [];
+    return [['layer', this.units[layer].name], ...at, ...facts];
+  }
+
+  fragment() {
+    return toFragment({ ...this.settings.values, camera: this.stage.cameraState() }, this.settings.base);
+  }
+
+  async copyLink() {
+    const address = `${location.href.split('#')[0]}#${this.fragment()}`;
+    history.replaceState(null, '', `#${this.fragment()}`);
+    try {
+      await navigator.clipboard.writeText(address);
+      return 'The address is in the clipboard.';
+    } catch {
+      return 'The address bar has the link; copy it from there.';
+    }
+  }
+
+  async savePicture() {
+    const blob = await this.picture();
+    download(blob, `${this.model.title || 'model'}.png`);
+  }
+
+  picture() {
+    const { values } = this.settings;
+    const shown = this.shownLayers().filter((i) => this.isPresent(i));
+    const labels = values.frame ? this.frameView.texts(this.stage.canvas) : [];
+    return pictureOf(this.stage, {
+      title: this.model.title,
+      caption: `heights × ${+values.exaggeration.toFixed(2)}, lengths in ${this.lengthUnit}`,
+      entries: shown.map((i) => ({ name: this.units[i].name, color: this.colors[i] })),
+      dark: this.theme === 'dark',
+      background: kThemes[this.theme].background,
+      labels,
+    });
+  }
+}
