@@ -46,7 +46,15 @@ class Interpolator {
     virtual std::vector<std::vector<double>> predict(std::span<const Point2> where,
                                                      std::span<const SiteField> fields) const = 0;
 
-    //! The same, with standard deviations where the method has them.
+    //! The same for the thicknesses of neighbouring layers, top first. Splines and kriging, which fit each field by itself, predict
+    //! the depths of their bases as well and bring both together (reconcile_layers.h), so that the sums of layers are
+    //! predicted as well as the layers.
+    virtual std::vector<std::vector<double>> predict_layers(std::span<const Point2> where,
+                                                            std::span<const SiteField> thickness) const {
+        return predict(where, thickness);
+    }
+
+    //! As predict, with standard deviations where the method has them.
     virtual std::vector<FieldPrediction> predict_with_deviation(std::span<const Point2> where,
                                                                 std::span<const SiteField> fields) const;
     virtual bool has_deviation() const { return false; }

@@ -6,6 +6,7 @@
 
 #include "boreholes/blended_surface.h"
 #include "boreholes/closest_in_hull.h"
+#include "boreholes/reconcile_layers.h"
 #include "boreholes/site_gaps.h"
 
 namespace stratareeb {
@@ -36,50 +37,107 @@ FieldSites with_bounds_as_values(FieldSites sites) {
     return sites;
 }
 
+bool go_together(const SiteField& a, const SiteField& b) {
+    return a.at_least.empty() && b.at_least.empty() && std::ranges::equal(a.use, b.use);
+}
+
+ValueLimits limits_of(const SiteField& field) {
+    std::vector<double> known;
+    for (std::size_t s = 0; s < field.value.size(); ++s)
+        if (field.use.empty() || field.use[s]) known.push_back(field.value[s]);
+    return value_limits(known);
+}
+
 }  // namespace
 
-FieldPrediction RadialInterpolator::predict_field(std::span<const Point2> where, const SiteField& field,
-                                                  bool deviations) const {
-    FieldPrediction result{std::vector<double>(where.size()),
-                           std::vector<double>(deviations ? where.size() : 0)};
+RadialInterpolator::RatedField RadialInterpolator::predict_field(std::span<const Point2> where,
+                                                                 const SiteField& field,
+                                                                 Extras extras) const {
+    RatedField result{{std::vector<double>(where.size()), {}}, 0};
+    auto& [value, deviation] = result.prediction;
+    if (extras.deviations) deviation.assign(where.size(), 0.0);
     FieldSites sites = field_sites(holes_->sites(), field);
     if (sites.size() == 0) return result;
     if (sites.measured == 0) sites = with_bounds_as_values(std::move(sites));
-    if (const double* value = only_value(sites)) {
-        std::ranges::fill(result.value, *value);
+    if (const double* only = only_value(sites)) {
+        std::ranges::fill(value, *only);
         return result;
     }
     const FieldModel model = model_of(sites);
     sites = in_frame(sites, holes_->sites(), model.frame);
     std::vector<Point2> local(where.size());
     std::ranges::transform(where, local.begin(), [&](const Point2& p) { return sites.frame.to_local(p); });
-    auto found = BlendedSurface(sites, model.radial, cover()).at(local, deviations);
-    result = {std::move(found.value), std::move(found.deviation)};
-    for (double& d : result.deviation) d *= std::sqrt(model.variance_factor);
+    const BlendedSurface surface(sites, model.radial, cover());
+    auto found = surface.at(local, extras.deviations);
+    if (extras.error) result.error = surface.leave_one_out_rms() * value_scale(sites).spread;
+    value = std::move(found.value), deviation = std::move(found.deviation);
+    for (double& d : deviation) d *= std::sqrt(model.variance_factor);
     if (!model.honours_values) return result;
     const SiteLookup lookup(holes_->sites(), sites);
     for (std::size_t i = 0; i < where.size(); ++i) {
-        const double* value = lookup.value_at(where[i]);
-        if (!value) continue;
-        result.value[i] = *value;
-        if (deviations) result.deviation[i] = 0;
+        const double* given = lookup.value_at(where[i]);
+        if (!given) continue;
+        value[i] = *given;
+        if (extras.deviations) deviation[i] = 0;
     }
     return result;
 }
 
+std::vector<Point2> RadialInterpolator::in_reach(std::span<const Point2> where) const {
+    return closest_in_reach(*holes_, where, kReach * extent_of(holes_->sites()));
+}
+
 std::vector<std::vector<double>> RadialInterpolator::predict(std::span<const Point2> where,
                                                              std::span<const SiteField> fields) const {
-    const auto near = closest_in_reach(*holes_, where, kReach * extent_of(holes_->sites()));
+    const auto near = in_reach(where);
     std::vector<std::vector<double>> result;
-    for (const SiteField& field : fields) result.push_back(predict_field(near, field, false).value);
+    for (const SiteField& field : fields)
+        result.push_back(std::move(predict_field(near, field, {}).prediction.value));
+    return result;
+}
+
+//! Neighbouring layers that are known at the same sites.
+void RadialInterpolator::predict_run(std::span<const Point2> where, std::span<const SiteField> thickness,
+                                     std::vector<std::vector<double>>& result) const {
+    const Extras extras{.error = thickness.size() > 1};
+    std::vector<RatedPrediction> layers, depths;
+    std::vector<double> depth(holes_->sites().size(), 0.0);
+    for (const SiteField& field : thickness) {
+        RatedField layer = predict_field(where, field, extras);
+        layers.push_back({std::move(layer.prediction.value), layer.error});
+        for (std::size_t s = 0; s < depth.size(); ++s) depth[s] += field.value[s];
+        if (layers.size() == 1) {
+            depths.emplace_back();
+            continue;
+        }
+        RatedField sum = predict_field(where, {depth, field.use}, extras);
+        depths.push_back({std::move(sum.prediction.value), sum.error});
+    }
+    for (std::size_t i = 0; auto& values : reconcile_layers(layers, depths)) {
+        const ValueLimits limits = limits_of(thickness[i++]);
+        for (double& t : values) t = limits.clamp(t);
+        result.push_back(std::move(values));
+    }
+}
+
+std::vector<std::vector<double>> RadialInterpolator::predict_layers(
+    std::span<const Point2> where, std::span<const SiteField> thickness) const {
+    const auto near = in_reach(where);
+    std::vector<std::vector<double>> result;
+    for (std::size_t begin = 0, end = 0; begin < thickness.size(); begin = end) {
+        for (end = begin + 1; end < thickness.size(); ++end)
+            if (!go_together(thickness[begin], thickness[end])) break;
+        predict_run(near, thickness.subspan(begin, end - begin), result);
+    }
     return result;
 }
 
 std::vector<FieldPrediction> RadialInterpolator::predict_with_deviation(
     std::span<const Point2> where, std::span<const SiteField> fields) const {
-    const auto near = closest_in_reach(*holes_, where, kReach * extent_of(holes_->sites()));
+    const auto near = in_reach(where);
     std::vector<FieldPrediction> result;
-    for (const SiteField& field : fields) result.push_back(predict_field(near, field, true));
+    for (const SiteField& field : fields)
+        result.push_back(predict_field(near, field, {.deviations = true}).prediction);
     return result;
 }
 

@@ -17,6 +17,8 @@ class RadialInterpolator : public Interpolator {
  public:
     std::vector<std::vector<double>> predict(std::span<const Point2> where,
                                              std::span<const SiteField> fields) const override;
+    std::vector<std::vector<double>> predict_layers(std::span<const Point2> where,
+                                                    std::span<const SiteField> thickness) const override;
     std::vector<FieldPrediction> predict_with_deviation(std::span<const Point2> where,
                                                         std::span<const SiteField> fields) const override;
     bool has_deviation() const override { return true; }
@@ -39,8 +41,18 @@ class RadialInterpolator : public Interpolator {
     const HoleTriangulation& holes() const { return *holes_; }
 
  private:
-    FieldPrediction predict_field(std::span<const Point2> where, const SiteField& field,
-                                  bool deviations) const;
+    //! What is asked for beside the values.
+    struct Extras {
+        bool deviations = false, error = false;
+    };
+    struct RatedField {
+        FieldPrediction prediction;
+        double error = 0;  // root of the mean squared leave-one-out error
+    };
+    RatedField predict_field(std::span<const Point2> where, const SiteField& field, Extras extras) const;
+    std::vector<Point2> in_reach(std::span<const Point2> where) const;
+    void predict_run(std::span<const Point2> where, std::span<const SiteField> thickness,
+                     std::vector<std::vector<double>>& result) const;
 
     std::shared_ptr<const HoleTriangulation> holes_;
     std::size_t single_patch_;

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "boreholes/reconcile_layers.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "boreholes/interpolator.h"
+
+namespace stratareeb {
+namespace {
+
+using Values = std::vector<double>;
+
+//! The normal equations of the definition, in thicknesses, solved densely.
+Values dense_solution(const Values& t, const Values& t_error, const Values& d, const Values& d_error) {
+    const auto n = static_cast<Eigen::Index>(t.size());
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(2 * n, n);
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(2 * n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        rows(i, i) = 1 / t_error[k];
+        right[i] = t[k] / t_error[k];
+        if (i == 0) continue;
+        for (Eigen::Index j = 0; j <= i; ++j) rows(n + i, j) = 1 / d_error[k];
+        right[n + i] = d[k] / d_error[k];
+    }
+    const Eigen::VectorXd x = rows.colPivHouseholderQr().solve(right);
+    return {x.begin(), x.end()};
+}
+
+TEST(ReconcileLayers, is_the_least_squares_of_its_definition) {
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> value(1, 20), error(0.1, 10);
+    for (int round = 0; round < 200; ++round) {
+        const std::size_t layers = 1 + random() % 9, places = 3;
+        std::vector<RatedPrediction> thickness, depth;
+        for (std::size_t i = 0; i < layers; ++i) {
+            thickness.push_back({Values(places), error(random)});
+            depth.push_back({Values(places), error(random)});
+            for (std::size_t p = 0; p < places; ++p)
+                thickness[i].value[p] = value(random), depth[i].value[p] = 10.0 * (i + 1) + value(random);
+        }
+        const auto found = reconcile_layers(thickness, depth);
+        for (std::size_t p = 0; p < places; ++p) {
+            Values t, te, d, de;
+            for (std::size_t i = 0; i < layers; ++i) {
+                t.push_back(thickness[i].value[p]), te.push_back(thickness[i].error);
+                d.push_back(depth[i].value[p]), de.push_back(depth[i].error);
+            }
+            const Values expected = dense_solution(t, te, d, de);
+            for (std::size_t i = 0; i < layers; ++i) EXPECT_NEAR(found[i][p], expected[i], 1e-9);
+        }
+    }
+}
+
+TEST(ReconcileLayers, what_agrees_stays_to_the_last_bit) {
+    const std::vector<RatedPrediction> thickness{{{0.1, 0.7}, 1}, {{0.2, 0.1}, 2}, {{0.3, 1e-3}, 0}};
+    std::vector<RatedPrediction> depth{
+        {{}, 1}, {{0.1 + 0.2, 0.7 + 0.1}, 3}, {{0.1 + 0.2 + 0.3, 0.7 + 0.1 + 1e-3}, 5}};
+    const auto found = reconcile_layers(thickness, depth);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(found[i], thickness[i].value);
+}
+
+TEST(ReconcileLayers, exact_depths_are_met_and_useless_ones_are_not) {
+    const std::vector<RatedPrediction> thickness{{{4}, 1}, {{5}, 1}, {{6}, 1}};
+    const auto sums =
+        reconcile_layers(thickness, std::vector<RatedPrediction>{{{}, 1}, {{10}, 0}, {{17}, 0}});
+    EXPECT_NEAR(sums[0][0] + sums[1][0], 10, 1e-9);
+    EXPECT_NEAR(sums[0][0] + sums[1][0] + sums[2][0], 17, 1e-9);
+    EXPECT_NEAR(sums[0][0], 4.5, 1e-9);
+    const auto own =
+        reconcile_layers(thickness, std::vector<RatedPrediction>{{{}, 1}, {{90}, 1e9}, {{99}, 1e9}});
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(own[i][0], thickness[i].value[0], 1e-9);
+}
+
+//! Two smooth beds over a smooth base; at some holes the top between them was put in the wrong place.
+struct MispickedBeds {
+    std::vector<Point2> at;
+    Values upper, lower;
+    static double sum_at(const Point2& p) { return 60 + 8 * std::sin(p.x / 150) * std::cos(p.y / 200); }
+
+    explicit MispickedBeds(std::uint64_t seed) {
+        std::mt19937_64 random(seed);
+        std::uniform_real_distribution<double> place(0, 1000), slip(-12, 12);
+        for (int i = 0; i < 120; ++i) {
+            const Point2 p{place(random), place(random)};
+            const double top = 25 + p.x / 100 + (i % 4 == 0 ? slip(random) : 0.0);
+            at.push_back(p), upper.push_back(top), lower.push_back(sum_at(p) - top);
+        }
+    }
+};
+
+TEST(PredictLayers, a_top_in_the_wrong_place_does_not_move_the_base) {
+    for (const InterpolatorKind kind : {InterpolatorKind::Kriging, InterpolatorKind::Spline}) {
+        double alone = 0, together = 0;
+        for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+            const MispickedBeds beds(seed);
+            const auto method = make_interpolator(kind, std::make_shared<HoleTriangulation>(beds.at));
+            std::vector<Point2> where;
+            for (int k = 0; k < 300; ++k) where.push_back({100.0 + 45 * (k % 18), 100.0 + 48 * (k / 18)});
+            const std::vector<SiteField> fields{{beds.upper, {}}, {beds.lower, {}}};
+            const auto each = method->predict(where, fields), both = method->predict_layers(where, fields);
+            for (std::size_t p = 0; p < where.size(); ++p) {
+                const double sum = MispickedBeds::sum_at(where[p]);
+                alone += std::pow(each[0][p] + each[1][p] - sum, 2);
+                together += std::pow(both[0][p] + both[1][p] - sum, 2);
+            }
+        }
+        EXPECT_LT(std::sqrt(together), 0.75 * std::sqrt(alone)) << name_of(kind);
+    }
+}
+
+TEST(PredictLayers, honours_the_holes_and_leaves_unlike_layers_alone) {
+    const MispickedBeds beds(9);
+    std::vector<char> some(beds.at.size(), 1);
+    for (std::size_t i = 0; i < some.size(); i += 3) some[i] = 0;
+    for (const InterpolatorKind kind : interpolator_kinds()) {
+        const auto method = make_interpolator(kind, std::make_shared<HoleTriangulation>(beds.at));
+        const std::vector<SiteField> fields{{beds.upper, {}}, {beds.lower, {}}};
+        const auto at_holes = method->predict_layers(beds.at, fields);
+        EXPECT_EQ(at_holes[0], beds.upper) << name_of(kind);
+        EXPECT_EQ(at_holes[1], beds.lower) << name_of(kind);
+        const std::vector<Point2> where{{333, 444}, {510, 90}, {-200, 1500}};
+        const std::vector<SiteField> unlike{{beds.upper, {}}, {beds.lower, some}};
+        EXPECT_EQ(method->predict_layers(where, unlike), method->predict(where, unlike)) << name_of(kind);
+        for (const auto& layer : method->predict_layers(where, fields))
+            for (const double t : layer) EXPECT_GT(t, 0) << name_of(kind);
+    }
+}
+
+}  // namespace
+}  // namespace stratareeb
