@@ -44,7 +44,7 @@ double ThicknessField::mean_of_present(std::size_t layer, const PlanLocation& lo
 std::vector<std::vector<double>> ThicknessField::predict(std::span<const Point2> where) const {
     std::vector<SiteField> fields;
     for (std::size_t i = 0; i < layers(); ++i) fields.push_back({thickness_[i], present_[i]});
-    auto result = interpolator_->predict(where, fields);
+    auto result = interpolator_->predict_layers(where, fields);
     const std::vector<PlanLocation> locations = holes_->locate(where);
     for (std::size_t i = 0; i < layers(); ++i)
         for (std::size_t p = 0; p < where.size(); ++p) {
