@@ -55,24 +55,6 @@ std::vector<SectionHole> holes_of(const SectionArguments& arguments, const Saved
     return holes_along(section, saved.survey, arguments.holes_within >= 0 ? arguments.holes_within : usual);
 }
 
-std::vector<MapFeature> features_of(const std::vector<SectionPolygon>& polygons,
-                                    const std::vector<Unit>& units) {
-    std::vector<MapFeature> features;
-    for (const SectionPolygon& polygon : polygons) {
-        const Unit& unit = units[polygon.layer];
-        MapFeature feature{.kind = MapFeature::Kind::Polygon,
-                           .parts = {{}},
-                           .layer = unit.code,
-                           .color = unit.color,
-                           .attributes = {{"unit", unit.name},
-                                          {"order", static_cast<double>(polygon.layer + 1)},
-                                          {"area", area(polygon)}}};
-        for (const Point2& p : polygon.outline) feature.parts[0].push_back({p.x, p.y, 0});
-        features.push_back(std::move(feature));
-    }
-    return features;
-}
-
 json section_json(const SavedModel& saved, const VerticalSection& section,
                   const std::vector<SectionPolygon>& polygons, const std::vector<SectionHole>& holes) {
     const auto& units = saved.model.units;
@@ -222,7 +204,7 @@ void run(const SectionArguments& arguments) {
                                    .exaggeration = arguments.exaggeration,
                                    .holes = holes});
         else
-            write_features(output, features_of(polygons, model.units), {.table = "section", .crs = ""});
+            write_features(output, section_features(polygons, model.units), {.table = "section", .crs = ""});
     }
     if (arguments.json)
         std::fputs(json_text(section_json(saved, section, polygons, holes)).c_str(), stdout);

@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
     add_check_command(program);
     add_convert_command(program);
     add_decimate_command(program);
+    add_deliver_command(program);
     add_grid_command(program);
     add_info_command(program);
     add_levels_command(program);
@@ -23,6 +24,7 @@ int main(int argc, char** argv) {
     add_reeb_command(program);
     add_refine_command(program);
     add_sample_command(program);
+    add_report_command(program);
     add_section_command(program);
     add_validate_command(program);
     add_view_command(program);

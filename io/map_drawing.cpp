@@ -20,6 +20,24 @@ PlanMap map_of(const SavedModel& saved, const std::string& title) {
     return map;
 }
 
+std::vector<MapFeature> section_features(const std::vector<SectionPolygon>& polygons,
+                                         const std::vector<Unit>& units) {
+    std::vector<MapFeature> features;
+    for (const SectionPolygon& polygon : polygons) {
+        const Unit& unit = units[polygon.layer];
+        MapFeature feature{.kind = MapFeature::Kind::Polygon,
+                           .parts = {{}},
+                           .layer = unit.code,
+                           .color = unit.color,
+                           .attributes = {{"unit", unit.name},
+                                          {"order", static_cast<double>(polygon.layer + 1)},
+                                          {"area", area(polygon)}}};
+        for (const Point2& p : polygon.outline) feature.parts[0].push_back({p.x, p.y, 0});
+        features.push_back(std::move(feature));
+    }
+    return features;
+}
+
 std::vector<MapFeature> area_features(const std::vector<MapArea>& areas, const std::vector<Unit>& units) {
     std::vector<MapFeature> features;
     for (const MapArea& area : areas) {

@@ -8,11 +8,16 @@
 #include "io/read_model.h"
 #include "io/write_features.h"
 #include "io/write_plan_map.h"
+#include "mesh/vertical_section.h"
 
 namespace stratareeb {
 
 //! A map of a model with its outline, legend of all units, and boreholes, ready for areas and lines.
 PlanMap map_of(const SavedModel& saved, const std::string& title);
+
+//! Polygons of a section for GIS and CAD: x = distance along the line, y = elevation.
+std::vector<MapFeature> section_features(const std::vector<SectionPolygon>& polygons,
+                                         const std::vector<Unit>& units);
 
 //! Areas with their unit as polygons for GIS.
 std::vector<MapFeature> area_features(const std::vector<MapArea>& areas, const std::vector<Unit>& units);

@@ -35,3 +35,11 @@ build/stratareeb section "$folder/fence" --at-z 46 -o docs/images/level.png --ov
 build/stratareeb map "$folder/fence" --show thickness --unit clay -o docs/images/map.png --overwrite >/dev/null
 build/stratareeb refine examples/meshes/bracket.obj -o "$folder/bracket.ply" --levels 4 --limit \
     --crease-edges examples/meshes/bracket_creases.txt --picture docs/images/refine.png --overwrite >/dev/null
+
+picture_of_page() {  # HTML PNG WIDTH HEIGHT, as a browser shows it
+    chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking \
+        --disable-component-update --disable-sync --hide-scrollbars --user-data-dir="$folder/browser" \
+        --window-size="$3,$4" --screenshot="$2" "file://$1" 2>/dev/null
+}
+build/stratareeb report "$folder/fence" -o "$folder/report.html" --title "Sighthill, Glasgow" --no-validation >/dev/null
+picture_of_page "$folder/report.html" docs/images/report.png 1200 1500
