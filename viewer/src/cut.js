@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the settings cut away: half-spaces that are kept, a block that is taken out, and the faces where the inside shows.
-import { clipped, clippedByPlane, outside } from './polygon.js';
+import { clippedByPlane, outside } from './polygon.js';
 
 export const kMostPlanes = 9; // one plane, six of a box, two of a slab
 const kOnHorizon = 1; // marks of polygon edges
@@ -132,42 +132,52 @@ function verticalSections(plan, { n, d }, wanted, emit) {
   }
 }
 
-/** The face of any other plane: the part of each triangle over which the plane lies between top and base. */
+/** The face of any other plane. `wanted`: layers, top first. */
 function slopingSections(plan, { n, d }, wanted, emit) {
   const { x, y, corner } = plan;
   const height = new Float64Array(plan.vertices); // of the plane
   for (let v = 0; v < height.length; ++v) height[v] = -(n[0] * x[v] + n[1] * y[v] + d) / n[2];
   for (let t = 0; t < plan.triangles; ++t) {
-    const vs = [corner[3 * t], corner[3 * t + 1], corner[3 * t + 2]];
-    if (vs.every((v) => height[v] > plan.horizons[0][v])) continue;
-    if (vs.every((v) => height[v] < plan.horizons[plan.layers][v])) continue;
+    const [a, b, c] = [corner[3 * t], corner[3 * t + 1], corner[3 * t + 2]];
     for (const layer of wanted) {
       if (!plan.presence[layer][t]) continue;
-      const [top, base] = [plan.horizons[layer], plan.horizons[layer + 1]];
-      if (vs.every((v) => height[v] > top[v]) || vs.every((v) => height[v] < base[v])) continue;
-      const polygon = sectionOver(vs, x, y, height, top, base);
+      const top = plan.horizons[layer];
+      if (height[a] > top[a] && height[b] > top[b] && height[c] > top[c]) break; // and above all that is deeper
+      const base = plan.horizons[layer + 1];
+      if (height[a] < base[a] && height[b] < base[b] && height[c] < base[c]) continue;
+      const polygon = sectionOver([a, b, c], x, y, height, top, base);
       if (polygon.length > 0) emit(layer, polygon);
     }
   }
 }
 
+/** The part of a triangle over which the plane lies between top and base, at the plane's height. */
 function sectionOver(vs, x, y, height, top, base) {
-  // z holds one linear function after the other until the plane's height takes its place
-  let polygon = vs.flatMap((v) => [x[v], y[v], 0, 0]);
-  const [a, b, c] = vs;
-  const determinant = (x[b] - x[a]) * (y[c] - y[a]) - (x[c] - x[a]) * (y[b] - y[a]);
-  if (determinant === 0) return [];
-  const linear = (at) => {
-    const [ub, uc] = [at(b) - at(a), at(c) - at(a)];
-    const gx = (ub * (y[c] - y[a]) - uc * (y[b] - y[a])) / determinant;
-    const gy = (uc * (x[b] - x[a]) - ub * (x[c] - x[a])) / determinant;
-    return (px, py) => at(a) + gx * (px - x[a]) + gy * (py - y[a]);
+  const polygon = vs.flatMap((v) => [x[v], y[v], height[v], 0]);
+  let below = vs.map((v) => top[v] - height[v]);
+  let above = vs.map((v) => height[v] - base[v]);
+  if (Math.min(...below) >= 0 && Math.min(...above) >= 0) return polygon;
+  const first = clippedByValues(polygon, below, above);
+  [below, above] = [first.others, first.values];
+  return clippedByValues(first.polygon, below, above).polygon;
+}
+
+/** The part of a polygon where values, given at its corners, are ≥ 0; other values at the corners are kept along. */
+function clippedByValues(polygon, values, others) {
+  const result = { polygon: [], values: [], others: [] };
+  const count = values.length;
+  const put = (i, j, t, mark) => {
+    for (let k = 0; k < 3; ++k) result.polygon.push(polygon[4 * i + k] + t * (polygon[4 * j + k] - polygon[4 * i + k]));
+    result.polygon.push(mark);
+    result.values.push(values[i] + t * (values[j] - values[i]));
+    result.others.push(others[i] + t * (others[j] - others[i]));
   };
-  polygon = clipped(polygon, linear((v) => top[v] - height[v]), kOnHorizon);
-  polygon = clipped(polygon, linear((v) => height[v] - base[v]), kOnHorizon);
-  const plane = linear((v) => height[v]);
-  for (let i = 0; i < polygon.length; i += 4) polygon[i + 2] = plane(polygon[i], polygon[i + 1]);
-  return polygon;
+  for (let j = 0, i = count - 1; j < count; i = j++) {
+    if (values[i] >= 0 !== values[j] >= 0)
+      put(i, j, values[i] / (values[i] - values[j]), values[i] >= 0 ? kOnHorizon : polygon[4 * i + 3]);
+    if (values[j] >= 0) put(j, j, 0, polygon[4 * j + 3]);
+  }
+  return result.values.length >= 3 ? result : { polygon: [], values: [], others: [] };
 }
 
 /** The faces that a cut lays bare: `emit(layer, polygon)` for each convex piece; edges that lie on horizons are marked 1. */

@@ -57,10 +57,10 @@ export class Stage {
 
   /** Sky, and a sun that comes with the eye, from its upper left. */
   #light() {
-    this.sun = new DirectionalLight(0xffffff, 1.85);
+    this.sun = new DirectionalLight(0xffffff, 1.8);
     this.sun.position.set(-0.5, 0.9, 0.8);
     this.sun.target.position.set(0, 0, -1);
-    this.scene.add(new HemisphereLight(0xffffff, 0xb3b0aa, 1.2));
+    this.scene.add(new HemisphereLight(0xffffff, 0xb8b4ae, 1.45));
     this.camera.add(this.sun, this.sun.target);
   }
 
