@@ -50,8 +50,8 @@ BENCHMARK_CAPTURE(hold_out_ten_folds, linear, InterpolatorKind::Linear)->SIZES(1
 BENCHMARK_CAPTURE(hold_out_ten_folds, natural, InterpolatorKind::NaturalNeighbour)->SIZES(100, 100'000);
 BENCHMARK_CAPTURE(hold_out_ten_folds, inverse_distance, InterpolatorKind::InverseDistance)
     ->SIZES(100, 100'000);
-BENCHMARK_CAPTURE(hold_out_ten_folds, spline, InterpolatorKind::Spline)->SIZES(100, 10'000);
-BENCHMARK_CAPTURE(hold_out_ten_folds, kriging, InterpolatorKind::Kriging)->SIZES(100, 10'000);
+BENCHMARK_CAPTURE(hold_out_ten_folds, spline, InterpolatorKind::Spline)->SIZES(100, 100'000);
+BENCHMARK_CAPTURE(hold_out_ten_folds, kriging, InterpolatorKind::Kriging)->SIZES(100, 100'000);
 BENCHMARK(validate_ten_folds)->SIZES(100, 100'000);
 BENCHMARK(leave_one_out)->SIZES(100, 1'000);
 

@@ -43,7 +43,8 @@ void interpolate(benchmark::State& state, InterpolatorKind kind) {
         for (const Point2& p : holes->sites()) value[f].push_back(rolling(p, f));
         fields.push_back({value[f], {}});
     }
-    for (auto _ : state) benchmark::DoNotOptimize(make_interpolator(kind, holes)->predict(where, fields));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(make_interpolator(kind, holes)->predict_layers(where, fields));
     state.counters["places"] = static_cast<double>(places);
     state.counters["us_per_place_field"] =
         benchmark::Counter(static_cast<double>(places * kFields) / 1e6,

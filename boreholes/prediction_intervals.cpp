@@ -14,8 +14,9 @@ namespace stratareeb {
 
 namespace {
 
-constexpr std::size_t kNearby = 8;  // errors that make the local mean
-constexpr double kPull = 4;         // errors of mean size that are added to them
+constexpr std::size_t kNearby = 8;  // errors that make the local ratio
+constexpr double kPull = 4;         // errors of expected size that are added to them
+constexpr double kLargestRatio = 1e6;
 
 //! Rank (0-based) of the conformal quantile among `count` scores; `count` if there are too few.
 std::size_t conformal_rank(std::size_t count, double confidence) {
@@ -40,16 +41,14 @@ double largest_of_others(const std::vector<PlacedError>& by_size, std::size_t dr
 struct LocalError::Index {
     std::vector<Point2> places;
     NearestSites nearest;
-    double sum = 0;
-    std::map<std::size_t, std::pair<double, std::size_t>> of_draw;  // sum and number of its errors' sizes
+    ErrorByGap by_gap;
+    GapProfile all;
+    std::map<std::size_t, GapProfile> without;  // by draw
 
-    explicit Index(const std::vector<PlacedError>& errors) : places(places_of(errors)), nearest(places) {
-        for (const PlacedError& error : errors) {
-            sum += std::abs(error.error);
-            auto& [draw_sum, number] = of_draw[error.draw];
-            draw_sum += std::abs(error.error);
-            ++number;
-        }
+    explicit Index(const std::vector<PlacedError>& errors)
+        : places(places_of(errors)), nearest(places), by_gap(errors), all(by_gap.profile()) {
+        for (const PlacedError& error : errors)
+            if (!without.contains(error.draw)) without.emplace(error.draw, by_gap.without(error.draw));
     }
     static std::vector<Point2> places_of(const std::vector<PlacedError>& errors) {
         std::vector<Point2> places;
@@ -64,40 +63,37 @@ LocalError::~LocalError() = default;
 LocalError::LocalError(LocalError&&) noexcept = default;
 LocalError& LocalError::operator=(LocalError&&) noexcept = default;
 
-double LocalError::blended(double sum, std::size_t found, double mean) const {
-    return (sum + kPull * mean) / (static_cast<double>(found) + kPull);
-}
-
-double LocalError::at(const Point2& place) const {
-    if (!index_) return 0;
-    double sum = 0;
-    const auto near = index_->nearest.nearest(place, kNearby);
-    for (const NearSite& site : near) sum += std::abs(errors_[site.site].error);
-    return blended(sum, near.size(), index_->sum / static_cast<double>(errors_.size()));
-}
-
-double LocalError::at_without(const Point2& place, std::size_t draw) const {
-    if (!index_) return 0;
-    const auto own = index_->of_draw.find(draw);
-    const std::size_t left_out = own == index_->of_draw.end() ? 0 : own->second.second;
-    const std::size_t others = errors_.size() - left_out;
-    if (others == 0) return 0;
-    double sum = 0;
+//! Without the errors of `draw`, where it is given.
+double LocalError::sized(const GapProfile& profile, const Point2& place, double gap,
+                         std::optional<std::size_t> draw) const {
+    if (profile.gap.empty()) return 0;
+    double ratios = 0;
     std::size_t found = 0;
     std::vector<NearSite> near;
-    for (std::size_t asked = 2 * kNearby;; asked *= 2) {
+    for (std::size_t asked = draw ? 2 * kNearby : kNearby;; asked *= 2) {
         index_->nearest.nearest(place, asked, near);
-        sum = 0;
-        found = 0;
+        ratios = 0, found = 0;
         for (const NearSite& site : near) {
-            if (errors_[site.site].draw == draw || found == kNearby) continue;
-            sum += std::abs(errors_[site.site].error);
+            const PlacedError& error = errors_[site.site];
+            if (error.draw == draw || found == kNearby) continue;
+            const double expected = profile.at(error.gap);
+            // Where errors so near to holes are all 0, so is this one, or the only other one of its class.
+            ratios += expected > 0 ? std::min(std::abs(error.error) / expected, kLargestRatio) : 1;
             ++found;
         }
         if (found == kNearby || asked >= errors_.size()) break;
     }
-    const double all = index_->sum - (left_out > 0 ? own->second.first : 0);
-    return blended(sum, found, std::max(all, 0.0) / static_cast<double>(others));
+    return profile.at(gap) * (ratios + kPull) / (static_cast<double>(found) + kPull);
+}
+
+double LocalError::at(const Point2& place, double gap) const {
+    return index_ ? sized(index_->all, place, gap, std::nullopt) : 0;
+}
+
+double LocalError::at_without(const Point2& place, double gap, std::size_t draw) const {
+    if (!index_) return 0;
+    const auto profile = index_->without.find(draw);
+    return sized(profile == index_->without.end() ? index_->all : profile->second, place, gap, draw);
 }
 
 bool has_enough_errors(std::size_t count, double confidence) {
@@ -109,7 +105,7 @@ PredictionReach prediction_reach(const LocalError& local, double confidence) {
     double most = 0;
     for (const PlacedError& error : local.errors()) {
         most = std::max(most, std::abs(error.error));
-        scores.push_back(score(error.error, local.at_without(error.at, error.draw)));
+        scores.push_back(score(error.error, local.at_without(error.at, error.gap, error.draw)));
     }
     if (scores.empty()) return {0, 0, false};
     std::ranges::sort(scores);
@@ -122,7 +118,7 @@ std::vector<double> held_out_half_widths(const LocalError& local, double confide
     std::vector<double> scale, scores;
     std::map<std::size_t, std::vector<std::size_t>> members;  // of a draw, later by rank
     for (std::size_t i = 0; i < errors.size(); ++i) {
-        scale.push_back(local.at_without(errors[i].at, errors[i].draw));
+        scale.push_back(local.at_without(errors[i].at, errors[i].gap, errors[i].draw));
         scores.push_back(score(errors[i].error, scale[i]));
     }
     std::vector<PlacedError> by_size(errors.begin(), errors.end());

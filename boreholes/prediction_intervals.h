@@ -4,23 +4,19 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "boreholes/error_by_gap.h"
 #include "boreholes/point.h"
 
 namespace stratareeb {
 
-//! An error that a hold-out found: where, in which draw, and predicted - actual.
-struct PlacedError {
-    Point2 at;
-    std::size_t draw = 0;
-    double error = 0;
-};
-
-//! How large errors are around a place, from those that a hold-out found: the mean size of the nearest ones, drawn towards the
-//! mean of all, so that a few lucky holes promise nothing. It works for every interpolator alike, since it is made from
-//! errors, not from a model of them.
+//! How large errors are at a place, from those that a hold-out found: their mean size at such a distance from the nearest
+//! hole (error_by_gap.h), times how much larger or smaller the nearest errors are than theirs; the latter drawn towards 1, so that
+//! a few lucky holes promise nothing. It works for every interpolator alike, since it is made from errors, not from a model of
+//! them.
 class LocalError {
  public:
     explicit LocalError(std::vector<PlacedError> errors);
@@ -31,15 +27,16 @@ class LocalError {
     std::size_t count() const { return errors_.size(); }
     std::span<const PlacedError> errors() const { return errors_; }
 
-    //! Expected size of an error at a place, from all errors.
-    double at(const Point2& place) const;
+    //! Expected size of an error at a place, from all errors. `gap` is the distance of the hole nearest to it.
+    double at(const Point2& place, double gap) const;
 
     //! The same from errors of other draws only: what an error of this draw may be held against.
-    double at_without(const Point2& place, std::size_t draw) const;
+    double at_without(const Point2& place, double gap, std::size_t draw) const;
 
  private:
     struct Index;
-    double blended(double sum, std::size_t found, double mean) const;
+    double sized(const GapProfile& profile, const Point2& place, double gap,
+                 std::optional<std::size_t> draw) const;
 
     std::vector<PlacedError> errors_;
     std::unique_ptr<Index> index_;

@@ -2,18 +2,56 @@
 #include "boreholes/validation.h"
 
 #include <cmath>
+#include <functional>
 
+#include "boreholes/error_by_gap.h"
+#include "boreholes/nearest_sites.h"
 #include "boreholes/prediction_intervals.h"
 
 namespace stratareeb {
 
 namespace {
 
-LocalError local_error(const Survey& survey, const std::vector<Residual>& residuals) {
+//! Places of all holes that know a quantity, held out or not, and the draws they are in.
+struct Knowing {
+    std::vector<Point2> at;
+    std::vector<std::size_t> draw, number_of_hole;
+};
+
+Knowing knowing(const Survey& survey, const std::vector<Draw>& draws,
+                const std::function<bool(const Borehole&)>& knows) {
+    std::vector<std::size_t> draw_of(survey.holes.size());
+    for (std::size_t h = 0; h < draw_of.size(); ++h) draw_of[h] = draws.size() + h;  // in none
+    for (std::size_t d = 0; d < draws.size(); ++d)
+        for (const std::size_t h : draws[d]) draw_of[h] = d;
+    Knowing result{{}, {}, std::vector<std::size_t>(survey.holes.size(), 0)};
+    for (std::size_t h = 0; h < survey.holes.size(); ++h) {
+        if (!knows(survey.holes[h])) continue;
+        result.number_of_hole[h] = result.at.size();
+        result.at.push_back(survey.holes[h].at);
+        result.draw.push_back(draw_of[h]);
+    }
+    return result;
+}
+
+bool knows_thickness(const Borehole& hole, std::size_t layer) {
+    return layer < hole.layers.size() && hole.layers[layer].knowledge == Knowledge::Measured;
+}
+
+bool knows_horizon(const Borehole& hole, std::size_t k) {
+    return k < hole.horizons.size() && hole.horizons[k].has_value();
+}
+
+std::vector<PlacedError> placed_errors(const Survey& survey, const std::vector<Residual>& residuals,
+                                       const Knowing& know) {
+    std::vector<std::size_t> asked;
+    for (const Residual& residual : residuals) asked.push_back(know.number_of_hole[residual.hole]);
+    const std::vector<double> gaps = gaps_to_other_draws(know.at, know.draw, asked);
     std::vector<PlacedError> errors;
-    for (const Residual& residual : residuals)
-        errors.push_back({survey.holes[residual.hole].at, residual.draw, residual.error()});
-    return LocalError(std::move(errors));
+    for (std::size_t i = 0; i < residuals.size(); ++i)
+        errors.push_back(
+            {survey.holes[residuals[i].hole].at, residuals[i].draw, residuals[i].error(), gaps[i]});
+    return errors;
 }
 
 void add_tests(ItemValidation& item, const ValidationOptions& options) {
@@ -31,8 +69,7 @@ void add_tests(ItemValidation& item, const ValidationOptions& options) {
     item.bias = mean_test(errors, options.confidence, options.law);
 }
 
-void add_intervals(ItemValidation& item, const Survey& survey, const ValidationOptions& options) {
-    const LocalError local = local_error(survey, item.residuals);
+void add_intervals(ItemValidation& item, const LocalError& local, const ValidationOptions& options) {
     item.half_width = held_out_half_widths(local, options.confidence);
     item.certain = has_enough_errors(item.residuals.size(), options.confidence);
     for (std::size_t i = 0; i < item.half_width.size(); ++i) {
@@ -41,31 +78,47 @@ void add_intervals(ItemValidation& item, const Survey& survey, const ValidationO
     }
 }
 
-ItemValidation item_of(std::string name, std::vector<Residual> residuals, const Survey& survey,
+ItemValidation item_of(std::string name, std::vector<Residual> residuals, const LocalError& local,
                        const ValidationOptions& options) {
     ItemValidation item;
     item.name = std::move(name);
     item.residuals = std::move(residuals);
     add_tests(item, options);
-    add_intervals(item, survey, options);
+    add_intervals(item, local, options);
     return item;
 }
 
-void add_layers(Validation& result, const Survey& survey, const ValidationOptions& options) {
-    if (survey.contact_points) return;
+//! Errors of all quantities, in the order of layers or horizons.
+using LocalErrors = std::vector<LocalError>;
+
+LocalErrors add_layers(Validation& result, const Survey& survey, const ValidationOptions& options) {
+    LocalErrors errors;
+    if (survey.contact_points) return errors;
     for (std::size_t i = 0; i < survey.units.size(); ++i) {
+        auto residuals = thickness_residuals(survey, result.held, i);
+        const Knowing know =
+            knowing(survey, result.draws, [i](const Borehole& hole) { return knows_thickness(hole, i); });
+        errors.emplace_back(placed_errors(survey, residuals, know));
         auto& item = result.layers.emplace_back(
-            item_of(survey.units[i].name, thickness_residuals(survey, result.held, i), survey, options));
+            item_of(survey.units[i].name, std::move(residuals), errors.back(), options));
         item.bounds = check_bounds(survey, result.held, i);
         for (const Residual& residual : item.residuals)
             item.presence_right += (residual.actual > 0) == (residual.predicted > 0);
     }
+    return errors;
 }
 
-void add_horizons(Validation& result, const Survey& survey, const ValidationOptions& options) {
-    for (std::size_t k = 0; k <= survey.units.size(); ++k)
+LocalErrors add_horizons(Validation& result, const Survey& survey, const ValidationOptions& options) {
+    LocalErrors errors;
+    for (std::size_t k = 0; k <= survey.units.size(); ++k) {
+        auto residuals = elevation_residuals(survey, result.held, k);
+        const Knowing know =
+            knowing(survey, result.draws, [k](const Borehole& hole) { return knows_horizon(hole, k); });
+        errors.emplace_back(placed_errors(survey, residuals, know));
         result.horizons.push_back(item_of(k == 0 ? "ground" : "base of " + survey.units[k - 1].name,
-                                          elevation_residuals(survey, result.held, k), survey, options));
+                                          std::move(residuals), errors.back(), options));
+    }
+    return errors;
 }
 
 void pool(Validation& result, const ValidationOptions& options) {
@@ -88,15 +141,14 @@ void pool(Validation& result, const ValidationOptions& options) {
 }
 
 //! By the errors of all layers together; of contact points, of all horizons.
-void suggest(Validation& result, const Survey& survey, std::size_t count) {
-    std::vector<LocalError> local;
-    for (const ItemValidation& item : result.layers.empty() ? result.horizons : result.layers)
-        local.push_back(local_error(survey, item.residuals));
+void suggest(Validation& result, const Survey& survey, const LocalErrors& errors, std::size_t count) {
     std::vector<Point2> holes;
     for (const Borehole& hole : survey.holes) holes.push_back(hole.at);
+    const NearestSites nearest(holes);
     result.next = next_boreholes(holes, count, [&](const Point2& place) {
+        const double gap = std::sqrt(nearest.nearest(place, 1).front().squared_distance);
         double error = 0;
-        for (const LocalError& item : local) error += item.at(place);
+        for (const LocalError& item : errors) error += item.at(place, gap);
         return error;
     });
 }
@@ -107,12 +159,12 @@ Validation validate(const Survey& survey, const std::vector<Draw>& draws, const 
     Validation result;
     result.draws = without_last_contacts(survey, draws);
     result.held = hold_out(survey, result.draws, options.hold_out);
-    add_layers(result, survey, options);
-    add_horizons(result, survey, options);
+    const LocalErrors of_layers = add_layers(result, survey, options);
+    const LocalErrors of_horizons = add_horizons(result, survey, options);
     pool(result, options);
     result.units = match_units(survey, result.held);
     result.crossings = count_crossings(result.held);
-    suggest(result, survey, options.suggestions);
+    suggest(result, survey, survey.contact_points ? of_horizons : of_layers, options.suggestions);
     return result;
 }
 
