@@ -81,7 +81,10 @@ export class App {
   }
 
   volumeText({ volume }) {
-    return volume === undefined ? '' : `${grouped(volume, 4)} ${this.lengthUnit}³`;
+    if (volume === undefined) return '';
+    const power = volume >= 1e7 ? 3 * Math.floor(Math.log10(volume) / 3) : 0;
+    const digits = { 6: '⁶', 9: '⁹', 12: '¹²', 15: '¹⁵' }[power];
+    return `${grouped(volume / 10 ** power, 4)}${digits ? `·10${digits}` : ''} ${this.lengthUnit}³`;
   }
 
   slabText(values) {
@@ -119,7 +122,7 @@ export class App {
     if (has('palette')) this.#updateColors(values);
     if (has('explode', 'exaggeration')) this.#updatePlaces(values);
     if (has('compare')) this.#updateCompare(values);
-    if (has('hidden', 'opacity', 'faint', 'reeb', 'compare')) this.#each((view) => view.setOpacities(values, this.#focus(values)));
+    if (has('hidden', 'opacity', 'faint', 'reeb', 'compare', 'explode')) this.#each((view) => view.setOpacities(values, this.#focus(values)));
     if (has('smooth', 'edges', 'compare')) this.#each((view) => view.setShading(values));
     if (has('cut', 'cutAt', 'cutFlip', 'azimuth', 'dip', 'block', 'blockShares', 'slab', 'slabs', 'compare')) this.#updateCut(values);
     if (has('holes', 'holesCut', 'holeSize', 'explode', 'exaggeration')) this.#updateHoles(values);

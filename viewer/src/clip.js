@@ -13,9 +13,6 @@ attribute float lift;
 `;
 const kVertexBody = /* glsl */ `
 vModel = transformed;
-#ifdef USE_INSTANCING
-vModel = (instanceMatrix * vec4(transformed, 1.0)).xyz;
-#endif
 #ifdef USE_LIFT
 vModel.z -= lift;
 #endif
@@ -57,7 +54,7 @@ export class ClipUniforms {
     blockCount.value = block ? block.length : 0;
   }
 
-  /** Make a material leave out what is cut away. `lifted`: instances have an attribute that says how far they are lifted. */
+  /** Make a material leave out what is cut away. `lifted`: vertices have an attribute that says how far they are. */
   applyTo(material, lifted = false) {
     material.onBeforeCompile = (shader) => {
       Object.assign(shader.uniforms, this.uniforms);

@@ -13,10 +13,14 @@ import { clipped } from './polygon.js';
 const kContoursOfArc = 7;
 const kOnTop = 10; // drawn after everything else
 
-function disc() {
+function drawn(paint) {
   const canvas = document.createElement('canvas');
   canvas.width = canvas.height = 64;
-  const pen = canvas.getContext('2d');
+  paint(canvas.getContext('2d'));
+  return new CanvasTexture(canvas);
+}
+
+const disc = () => drawn((pen) => {
   pen.beginPath();
   pen.arc(32, 32, 26, 0, 2 * Math.PI);
   pen.fillStyle = '#fff';
@@ -24,8 +28,15 @@ function disc() {
   pen.lineWidth = 6;
   pen.strokeStyle = '#222';
   pen.stroke();
-  return new CanvasTexture(canvas);
-}
+});
+
+const ring = () => drawn((pen) => {
+  pen.beginPath();
+  pen.arc(32, 32, 25, 0, 2 * Math.PI);
+  pen.lineWidth = 9;
+  pen.strokeStyle = '#fff';
+  pen.stroke();
+});
 
 /** Triangles of a layer's solid in the order in which the program numbers them: nine coordinates each. */
 function solidSoup({ plan }, { layer, index, walls }, wanted) {
@@ -74,6 +85,19 @@ export class GraphView {
       object.frustumCulled = false;
       this.root.add(object);
     }
+    this.mark = new GrowingPositions(); // a ring around the picked node
+    this.markPoints = new Points(
+      this.mark.geometry,
+      new PointsMaterial({ size: 26, sizeAttenuation: false, map: ring(), color: '#e0218a', depthTest: false, transparent: true }),
+    );
+    this.wideMaterial = new LineMaterial({ linewidth: 8, color: '#e0218a', depthTest: false, transparent: true, opacity: 0.8 });
+    this.wide = new LineSegments2(new LineSegmentsGeometry(), this.wideMaterial); // beneath the picked arc
+    for (const object of [this.markPoints, this.wide]) {
+      object.frustumCulled = false;
+      object.renderOrder = kOnTop;
+      this.root.add(object);
+    }
+    this.wide.visible = false;
     this.lineMaterial = new LineMaterial({ linewidth: 3, vertexColors: true, depthTest: false, transparent: true });
     this.pointMaterial = new PointsMaterial({ size: 13, sizeAttenuation: false, map: this.disc, vertexColors: true, depthTest: false, transparent: true, alphaTest: 0.3 });
   }
@@ -129,6 +153,8 @@ export class GraphView {
   pick(picked, lift, ink) {
     this.part.begin();
     this.contours.begin();
+    this.mark.begin();
+    this.wide.visible = false;
     if (this.graph && picked) {
       this.contourMaterial.color.set(ink);
       if (picked.arc !== undefined) this.#pickArc(this.graph.arcs[picked.arc], picked.arc, lift);
@@ -136,7 +162,7 @@ export class GraphView {
     }
     this.part.end();
     this.contours.end();
-    this.part.geometry.deleteAttribute('normal');
+    this.mark.end();
   }
 
   #putPart(soup, up, color) {
@@ -153,6 +179,7 @@ export class GraphView {
 
   #pickArc(arc, number, lift) {
     const { nodes, arcOf } = this.graph;
+    this.#markArc(arc, this.graph.layer === null ? 0 : lift[arc.layer]);
     const [low, high] = [nodes[arc.from].at[2], nodes[arc.to].at[2]];
     const meshes = this.view.layers[arc.layer];
     const own = arcOf
@@ -163,8 +190,18 @@ export class GraphView {
       levelLineOfSoup(own, low + (i / (kContoursOfArc + 1)) * (high - low), this.#put(lift[arc.layer]));
   }
 
+  #markArc({ curve }, up) {
+    this.wide.geometry.dispose();
+    this.wide.geometry = new LineSegmentsGeometry();
+    const positions = [];
+    for (let i = 1; i < curve.length; ++i) for (const p of [curve[i - 1], curve[i]]) positions.push(p[0], p[1], p[2] + up);
+    this.wide.geometry.setPositions(positions);
+    this.wide.visible = true;
+  }
+
   #pickNode(node, number, lift) {
     const { arcs, arcOf } = this.graph;
+    this.mark.put(node.at[0], node.at[1], node.at[2] + (arcOf ? lift[this.graph.layer] : 0));
     if (!arcOf) {
       for (const layer of node.layers) {
         const { index, walls } = this.view.layers[layer];

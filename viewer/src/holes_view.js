@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Boreholes as columns: a cylinder for each interval, in its layer's colour, and a dark head above the ground.
-import {
-  Color,
-  CylinderGeometry,
-  DoubleSide,
-  Group,
-  InstancedBufferAttribute,
-  InstancedMesh,
-  Matrix4,
-  MeshLambertMaterial,
-} from 'three';
+// Boreholes as columns: a prism for each interval, in its layer's colour, and a dark head above the ground. All prisms are one mesh.
+import { BufferAttribute, BufferGeometry, Color, DoubleSide, Group, Mesh, MeshLambertMaterial } from 'three';
 
 const kSides = 12;
-const kFewSides = 5; // beyond so many intervals
-const kMany = 20000;
+const kFewSides = 3; // beyond so many prisms
+const kMany = 4000;
 const kHeadColor = '#2b3138';
+const kHeadWidth = 0.6; // of a column's
 
 /** One entry for each interval: { hole, interval, layer, x, y, top, base, whole }. */
 export function columnsOf(holes) {
@@ -30,45 +22,94 @@ export function suitableRadius(holes, { low, high }) {
   return Math.min(0.05 * Math.sqrt(area / Math.max(holes.length, 1)), 0.006 * size);
 }
 
+/** Vertices of a unit prism [x, y, z, normal…] and its triangles: a side ring, then top and base rings. */
+function prism(sides) {
+  const vertices = [];
+  const index = [];
+  const ring = (z, normal) => {
+    for (let i = 0; i < sides; ++i) {
+      const a = (2 * Math.PI * i) / sides;
+      vertices.push([Math.cos(a), Math.sin(a), z, ...(normal ?? [Math.cos(a), Math.sin(a), 0])]);
+    }
+  };
+  ring(0, null);
+  ring(1, null);
+  ring(1, [0, 0, 1]);
+  ring(0, [0, 0, -1]);
+  for (let i = 0; i < sides; ++i) {
+    const j = (i + 1) % sides;
+    index.push(i, j, sides + j, i, sides + j, sides + i);
+  }
+  for (let i = 1; i + 1 < sides; ++i) index.push(2 * sides, 2 * sides + i, 2 * sides + i + 1, 3 * sides, 3 * sides + i + 1, 3 * sides + i);
+  return { vertices, index };
+}
+
 export class HolesView {
   constructor(holes, clip) {
     this.columns = columnsOf(holes);
     this.heads = holes.filter(({ top }) => top !== null);
-    this.root = new Group();
     const count = this.columns.length + this.heads.length;
-    const geometry = new CylinderGeometry(1, 1, 1, count > kMany ? kFewSides : kSides);
-    geometry.rotateX(Math.PI / 2);
-    this.lift = new InstancedBufferAttribute(new Float32Array(Math.max(count, 1)), 1);
-    geometry.setAttribute('lift', this.lift);
-    this.whole = new MeshLambertMaterial();
-    this.cut = clip.applyTo(new MeshLambertMaterial({ side: DoubleSide }), true);
-    this.mesh = new InstancedMesh(geometry, this.cut, Math.max(count, 1));
-    this.mesh.count = count;
+    this.prism = prism(count > kMany ? kFewSides : kSides);
+    this.geometry = this.#makeGeometry(count);
+    this.whole = new MeshLambertMaterial({ vertexColors: true });
+    this.cut = clip.applyTo(new MeshLambertMaterial({ vertexColors: true, side: DoubleSide }), true);
+    this.mesh = new Mesh(this.geometry, this.cut);
     this.mesh.frustumCulled = false;
+    this.root = new Group();
     this.root.add(this.mesh);
   }
 
+  #makeGeometry(count) {
+    const { vertices, index } = this.prism;
+    const n = vertices.length;
+    const geometry = new BufferGeometry();
+    const add = (name, array, size, isNormalized = false) => geometry.setAttribute(name, new BufferAttribute(array, size, isNormalized));
+    const normal = new Float32Array(3 * n * count);
+    const triangles = new Uint32Array(index.length * count);
+    const normals = vertices.flatMap((v) => v.slice(3));
+    for (let i = 0; i < count; ++i) {
+      normal.set(normals, 3 * n * i);
+      for (let k = 0; k < index.length; ++k) triangles[index.length * i + k] = n * i + index[k];
+    }
+    add('normal', normal, 3);
+    add('position', new Float32Array(3 * n * count), 3);
+    add('color', new Float32Array(3 * n * count), 3);
+    add('lift', new Float32Array(n * count), 1);
+    geometry.setIndex(new BufferAttribute(triangles, 1));
+    return geometry;
+  }
+
   setColors(colors) {
-    const color = new Color();
-    this.columns.forEach(({ layer }, i) => this.mesh.setColorAt(i, color.set(colors[layer])));
-    color.set(kHeadColor);
-    this.heads.forEach((_, i) => this.mesh.setColorAt(this.columns.length + i, color));
-    if (this.mesh.instanceColor) this.mesh.instanceColor.needsUpdate = true;
+    const n = this.prism.vertices.length;
+    const attribute = this.geometry.getAttribute('color');
+    const paint = (i, color) => {
+      for (let k = 0; k < n; ++k) color.toArray(attribute.array, 3 * (n * i + k));
+    };
+    const of = colors.map((color) => new Color(color));
+    this.columns.forEach(({ layer }, i) => paint(i, of[layer]));
+    this.heads.forEach((_, i) => paint(this.columns.length + i, new Color(kHeadColor)));
+    attribute.needsUpdate = true;
   }
 
   /** Columns of this radius, lifted with their layers; heads are two radii high as they are seen. */
   place(radius, lift, exaggeration) {
-    const matrix = new Matrix4();
+    const position = this.geometry.getAttribute('position');
+    const lifts = this.geometry.getAttribute('lift');
+    const { vertices } = this.prism;
+    const n = vertices.length;
     const put = (i, { x, y }, top, base, width, up) => {
-      matrix.makeScale(width, width, top - base).setPosition(x, y, (top + base) / 2 + up);
-      this.mesh.setMatrixAt(i, matrix);
-      this.lift.array[i] = up;
+      for (let k = 0, at = 3 * n * i; k < n; ++k, at += 3) {
+        position.array[at] = x + width * vertices[k][0];
+        position.array[at + 1] = y + width * vertices[k][1];
+        position.array[at + 2] = base + (top - base) * vertices[k][2] + up;
+      }
+      lifts.array.fill(up, n * i, n * (i + 1));
     };
     this.columns.forEach((column, i) => put(i, column, column.top, column.base, radius, lift[column.layer]));
     const high = (2 * radius) / exaggeration;
-    this.heads.forEach((hole, i) => put(this.columns.length + i, hole, hole.top + high, hole.top, 0.6 * radius, lift[0]));
-    this.mesh.instanceMatrix.needsUpdate = true;
-    this.lift.needsUpdate = true;
+    this.heads.forEach((hole, i) => put(this.columns.length + i, hole, hole.top + high, hole.top, kHeadWidth * radius, lift[0]));
+    position.needsUpdate = true;
+    lifts.needsUpdate = true;
   }
 
   setShown(shown, isCut) {

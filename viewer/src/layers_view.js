@@ -60,8 +60,8 @@ class LayerMeshes {
     this.group.name = `layer ${layer}`;
     this.index = plan.trianglesOf(layer);
     this.walls = plan.wallsOf(layer);
-    const index = new BufferAttribute(this.index, 1);
-    this.geometries = [sheet(horizons[layer], index), sheet(horizons[layer + 1], index), wallGeometry(this.walls)];
+    const drawn = () => new BufferAttribute(new Uint32Array(this.index.length), 1);
+    this.geometries = [sheet(horizons[layer], drawn()), sheet(horizons[layer + 1], drawn()), wallGeometry(this.walls)];
     // Solids are closed, cuts have faces: nobody sees the back of a triangle. Where layers are too thin to tell apart, the upper one is
     // seen from above and the lower one from below.
     const matter = (side, units) =>
@@ -147,11 +147,13 @@ export class LayersView {
 
   /** `focus`: fade all others, and this one a little, so that a graph inside is seen. */
   setOpacities(settings, focus = null) {
-    this.layers.forEach((layer, i) => {
-      const own = opacityOf(settings, i);
-      const share = focus === null ? 1 : focus === i ? 0.45 : focus === 'all' ? 0.3 : 0.06;
-      layer.setOpacity(own * share);
-    });
+    const share = (i) => (focus === null ? 1 : focus === i ? 0.45 : focus === 'all' ? 0.3 : 0.06);
+    const opacities = this.layers.map((_, i) => opacityOf(settings, i) * share(i));
+    this.layers.forEach((layer, i) => layer.setOpacity(opacities[i]));
+    const isSolid = opacities.map((opacity) => opacity >= 1 && settings.explode === 0);
+    if (isSolid.join() === this.isSolid?.join()) return;
+    this.isSolid = isSolid;
+    this.#expose(isSolid);
   }
 
   setLift(lift) {
@@ -162,6 +164,33 @@ export class LayersView {
     for (const layer of this.layers) {
       layer.setSmooth(smooth);
       layer.setEdges(edges);
+    }
+  }
+
+  /**
+   * Draw only those tops and bases that may be seen: where two layers meet and both are solid, their common surface is hidden. That
+   * leaves a tenth of a model of ten layers.
+   */
+  #expose(isSolid) {
+    const { plan } = this;
+    const sheets = this.layers.map(({ geometries }) => geometries.slice(0, 2).map((geometry) => ({ geometry, used: 0 })));
+    const draw = (side, t) => {
+      const { array } = side.geometry.index;
+      for (let k = 0; k < 3; ++k) array[side.used++] = plan.corner[3 * t + k];
+    };
+    for (let t = 0; t < plan.triangles; ++t) {
+      let above = -1; // the next layer up that is in the triangle
+      for (let i = 0; i < plan.layers; ++i) {
+        if (!plan.presence[i][t]) continue;
+        if (above < 0 || !isSolid[above]) draw(sheets[i][0], t);
+        if (above >= 0 && !isSolid[i]) draw(sheets[above][1], t);
+        above = i;
+      }
+      if (above >= 0) draw(sheets[above][1], t);
+    }
+    for (const { geometry, used } of sheets.flat()) {
+      geometry.setDrawRange(0, used);
+      geometry.index.needsUpdate = true;
     }
   }
 

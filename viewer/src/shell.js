@@ -81,7 +81,8 @@ function followHole(app) {
   const show = ({ hole }) => {
     const found = app.holes[hole];
     card.hidden = !found;
-    if (found) card.replaceChildren(button('×', 'close the log', () => app.settings.set({ hole: -1 }), { class: 'close' }), ...holeLog(app.model, found, app.colors));
+    card.replaceChildren();
+    if (found) card.append(button('×', 'close the log', () => app.settings.set({ hole: -1 }), { class: 'close' }), ...holeLog(app.model, found, app.colors));
   };
   show(app.settings.values);
   app.settings.onChange((values, changed) => {

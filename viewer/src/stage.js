@@ -155,6 +155,7 @@ export class Stage {
     camera.position.copy(target).addScaledVector(direction, this.#fittingDistance(direction));
     camera.zoom = 1;
     controls.update();
+    this.#fitCamera();
     this.request();
   }
 
@@ -197,6 +198,7 @@ export class Stage {
     next.add(this.sun, this.sun.target);
     this.controls.object = next;
     this.controls.update();
+    this.#fitCamera();
     this.request();
   }
 
@@ -230,6 +232,7 @@ export class Stage {
       this.camera.zoom = 1;
     }
     this.controls.update();
+    this.#fitCamera();
     this.request();
   }
 
