@@ -11,29 +11,23 @@
 
 #include "apps/command.h"
 #include "apps/keep_existing.h"
+#include "apps/level_section.h"
 #include "apps/mesh_report.h"
 #include "boreholes/errors.h"
 #include "io/drawing_page.h"
 #include "io/map_drawing.h"
+#include "io/mesh_format.h"
 #include "io/read_model.h"
 #include "io/write_features.h"
+#include "io/write_mesh.h"
 #include "io/write_section.h"
-#include "mesh/horizontal_section.h"
+#include "mesh/fence_mesh.h"
 #include "mesh/vertical_section.h"
 
 namespace stratareeb {
 namespace {
 
 using nlohmann::json;
-
-struct SectionArguments {
-    std::string folder, title, crs;
-    std::vector<std::string> outputs, through;
-    std::vector<double> along;
-    std::optional<double> at_z;
-    double exaggeration = 0, holes_within = -1;
-    bool json = false, overwrite = false;
-};
 
 std::vector<Point2> line_of(const SectionArguments& arguments, const SavedModel& saved) {
     if (!arguments.through.empty()) {
@@ -105,92 +99,39 @@ void print_section(const SavedModel& saved, const VerticalSection& section,
     fmt::print("{:>3}  {:<24} {:>14.7g}\n", "", "all", envelope_area(section));
 }
 
-std::vector<MapArea> level_areas(const std::vector<LevelPolygon>& polygons) {
-    std::vector<MapArea> areas;
-    for (const LevelPolygon& polygon : polygons) areas.push_back({polygon.rings, polygon.layer});
-    return areas;
-}
-
-std::vector<double> level_sizes(const LayerModel& model, const std::vector<LevelPolygon>& polygons) {
-    std::vector<double> sizes(model.units.size(), 0);
-    for (const LevelPolygon& polygon : polygons) sizes[polygon.layer] += area(polygon);
-    return sizes;
-}
-
-json level_json(const LayerModel& model, double z, const std::vector<LevelPolygon>& polygons) {
-    json result{{"z", z}, {"length_unit", model.length_unit}, {"units", json::array()}};
-    const auto sizes = level_sizes(model, polygons);
-    for (std::size_t i = 0; i < sizes.size(); ++i) {
-        json rings = json::array();
-        for (const LevelPolygon& polygon : polygons) {
-            if (polygon.layer != i) continue;
-            json parts = json::array();
-            for (const auto& ring : polygon.rings) {
-                json points = json::array();
-                for (const Point2& p : ring) points.push_back({p.x, p.y});
-                parts.push_back(std::move(points));
-            }
-            rings.push_back(std::move(parts));
-        }
-        result["units"].push_back({{"order", i + 1},
-                                   {"code", model.units[i].code},
-                                   {"name", model.units[i].name},
-                                   {"color", model.units[i].color},
-                                   {"area", sizes[i]},
-                                   {"polygons", std::move(rings)}});
-    }
-    return result;
-}
-
-void print_level(const LayerModel& model, double z, const std::vector<LevelPolygon>& polygons) {
-    const auto sizes = level_sizes(model, polygons);
-    fmt::print("level z = {:.10g} {}\n{:>3}  {:<24} {:>14}\n", z, model.length_unit, "", "layer",
-               fmt::format("area [{}²]", model.length_unit));
-    for (std::size_t i = 0; i < sizes.size(); ++i)
-        if (sizes[i] > 0) fmt::print("{:>3}  {:<24} {:>14.7g}\n", i + 1, model.units[i].name, sizes[i]);
-}
-
-//! A horizontal section, as a map.
-void run_level(const SectionArguments& arguments, const SavedModel& saved) {
-    const double z = *arguments.at_z;
-    const auto polygons = horizontal_section(saved.model, z);
-    if (polygons.empty()) throw InvalidInput(fmt::format("nothing of the model lies at z = {:.10g}", z));
-    const std::string about = fmt::format("level z = {:.10g} {}", z, saved.model.length_unit);
-    for (const std::string& output : arguments.outputs) {
-        if (is_feature_file(output)) {
-            write_features(output, area_features(level_areas(polygons), saved.model.units),
-                           {.table = "level", .crs = arguments.crs});
-            continue;
-        }
-        PlanMap map = map_of(saved, arguments.title.empty() ? about : arguments.title);
-        map.note = arguments.title.empty() ? "" : about;
-        map.areas = level_areas(polygons);
-        write_plan_map(output, map);
-    }
-    if (arguments.json)
-        std::fputs(json_text(level_json(saved.model, z, polygons)).c_str(), stdout);
-    else
-        print_level(saved.model, z, polygons);
-}
-
 void check_usage(const SectionArguments& arguments) {
-    const int ways = !arguments.along.empty() + !arguments.through.empty() + arguments.at_z.has_value();
+    const int ways = !arguments.along.empty() + !arguments.through.empty() + arguments.at_z.has_value() +
+                     arguments.critical;
+    const bool is_level = arguments.at_z || arguments.critical;
     if (ways != 1)
         throw CLI::ValidationError(
-            "section", "give one of --along x,y,x,y,…, --through HOLE,HOLE,… and, for a level, --at-z z");
+            "section",
+            "give one of --along x,y,x,y,…, --through HOLE,HOLE,… and, for levels, --at-z z or --critical");
     if (arguments.along.size() % 2 != 0)
         throw CLI::ValidationError("--along", "has an odd number of coordinates; it takes x,y,x,y,…");
     for (const std::string& output : arguments.outputs)
-        if (!is_drawing_file(output) && !is_feature_file(output))
+        if (!is_drawing_file(output) && !is_feature_file(output) && (is_level || !is_mesh_file(output)))
             throw CLI::ValidationError(
-                "-o", output + ": sections are written as .svg, .pdf, .png, .gpkg, .dxf or .geojson");
+                "-o", fmt::format("{}: {} are written as .svg, .pdf, .png, .gpkg, .dxf, .geojson{}", output,
+                                  is_level ? "levels" : "sections",
+                                  is_level ? "" : " or, in space, .ply, .obj, .glb, .stl, .off, .3mf"));
+}
+
+//! The section in space, a part for each layer.
+void write_fence(const std::string& file, const VerticalSection& section, const LayerModel& model) {
+    const std::vector<TriMesh> meshes = fence_meshes(section, model.units.size(), model.origin);
+    std::vector<MeshPart> parts;
+    for (std::size_t i = 0; i < meshes.size(); ++i)
+        if (meshes[i].n_faces() > 0) parts.push_back({model.units[i].name, model.units[i].color, &meshes[i]});
+    write_meshes(file, parts);
 }
 
 void run(const SectionArguments& arguments) {
     check_usage(arguments);
-    for (const std::string& output : arguments.outputs) keep_existing(output, arguments.overwrite);
+    if (!arguments.critical)  // its drawings get numbers
+        for (const std::string& output : arguments.outputs) keep_existing(output, arguments.overwrite);
     const SavedModel saved = read_model(arguments.folder);
-    if (arguments.at_z) return run_level(arguments, saved);
+    if (arguments.at_z || arguments.critical) return run_level_sections(arguments, saved);
     const LayerModel& model = saved.model;
     const VerticalSection section =
         vertical_section(model, PlanLocator(model.plan.surface), line_of(arguments, saved));
@@ -203,6 +144,8 @@ void run(const SectionArguments& arguments) {
                                    .length_unit = model.length_unit,
                                    .exaggeration = arguments.exaggeration,
                                    .holes = holes});
+        else if (is_mesh_file(output))
+            write_fence(output, section, model);
         else
             write_features(output, section_features(polygons, model.units), {.table = "section", .crs = ""});
     }
@@ -224,12 +167,15 @@ void add_section_command(CLI::App& program) {
     command->add_option("--through", arguments->through, "A fence: names of boreholes, in order")
         ->delimiter(',');
     command->add_option("--at-z", arguments->at_z, "A level instead: a horizontal section at this elevation");
+    command->add_flag("--critical", arguments->critical,
+                      "Levels at all heights at which the contours of a layer come, go, part or join");
     command->add_option(
         "--crs", arguments->crs,
         "Coordinate reference system of the model, for the polygons of a level, as EPSG:27700");
     command->add_option(
         "-o,--output", arguments->outputs,
-        "Drawing (.svg, .pdf, .png) or polygons for CAD and GIS (.dxf, .gpkg, .geojson); may be repeated");
+        "Drawing (.svg, .pdf, .png), polygons for CAD and GIS (.dxf, .gpkg, .geojson), or the upright panel "
+        "in space as a mesh (.ply, .obj, .glb, …); may be repeated");
     command
         ->add_option("--exaggeration", arguments->exaggeration,
                      "How much taller heights are drawn (a round factor that fills the page)")

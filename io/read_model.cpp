@@ -11,6 +11,7 @@
 #include "io/model_holes.h"
 #include "io/read_ply.h"
 #include "io/text_scanner.h"
+#include "mesh/thickness_regions.h"
 #include "mesh/triangle_soup.h"
 
 namespace stratareeb {
@@ -89,25 +90,6 @@ void check_order(const LayerModel& model, const Description& description, const 
                                 (folder / description.horizons[i + 1]).string(), v));
 }
 
-//! A triangle has a layer where one of its corners has thickness, see LayerRegions.
-LayerRegions regions_of(const LayerModel& model) {
-    const TriMesh& plan = model.plan.surface;
-    LayerRegions regions;
-    regions.zero_at.resize(plan.n_vertices());
-    regions.in_face.resize(plan.n_faces());
-    for (std::size_t i = 0; i < model.units.size(); ++i)
-        for (std::size_t v = 0; v < plan.n_vertices(); ++v)
-            regions.zero_at[v][i] = model.thickness(i, v) == 0;
-    for (const auto f : plan.faces()) {
-        LayerSet absent;
-        absent.set();
-        for (const auto v : plan.fv_range(f)) absent &= regions.zero_at[static_cast<std::size_t>(v.idx())];
-        for (std::size_t i = 0; i < model.units.size(); ++i)
-            regions.in_face[static_cast<std::size_t>(f.idx())][i] = !absent[i];
-    }
-    return regions;
-}
-
 }  // namespace
 
 SavedModel read_model(const fs::path& folder) {
@@ -138,7 +120,7 @@ SavedModel read_model(const fs::path& folder) {
     for (Point3& p : plan.points) p.z = 0;
     model.plan.surface = half_edge_mesh(plan);
     check_order(model, description, folder);
-    model.regions = regions_of(model);
+    model.regions = regions_of_thickness(model.plan.surface, model.horizons);
     if (fs::exists(folder / kModelHolesFile)) {
         ModelHoles holes = read_model_holes(folder / kModelHolesFile, model.units, plan.points.size());
         saved.survey = std::move(holes.survey);

@@ -43,3 +43,5 @@ picture_of_page() {  # HTML PNG WIDTH HEIGHT, as a browser shows it
 }
 build/stratareeb report "$folder/fence" -o "$folder/report.html" --title "Sighthill, Glasgow" --no-validation >/dev/null
 picture_of_page "$folder/report.html" docs/images/report.png 1200 1500
+build/stratareeb split "$folder/fence" -o "$folder/slabs" --count 8 --pictures --quiet >/dev/null
+cp "$folder/slabs/slab_06.png" docs/images/slab.png

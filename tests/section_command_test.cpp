@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The command section, its drawings (io/write_section) and files for CAD and GIS (io/write_features).
-#include <gdal.h>
+#include <gdal_priv.h>
 #include <gtest/gtest.h>
 #include <ogrsf_frmts.h>
 
@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "boreholes/errors.h"
+#include "io/read_mesh.h"
 #include "io/write_features.h"
+#include "mesh/analysis.h"
 #include "tests/run_program.h"
 
 namespace stratareeb {
@@ -94,6 +96,43 @@ TEST_F(SectionCommand, cuts_at_a_level) {
     EXPECT_NEAR(sand["units"][0]["area"].get<double>(), 1e4, 1e-6);
     expect_failure("--at-z 11", 1, "nothing of the model lies at z = 11");
     expect_failure("--at-z 1 --along 0,0,1,1", 2, "give one of");
+}
+
+// Level layers: all that happens is that the clay ends and the sand begins, and the sand ends.
+TEST_F(SectionCommand, cuts_at_every_critical_height) {
+    GDALAllRegister();
+    const auto result = run("section model --critical -o levels.svg -o levels.gpkg --json");
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const json levels = json::parse(result.out)["levels"];
+    ASSERT_EQ(levels.size(), 2u);
+    EXPECT_EQ(levels[0]["z"], 8.0);
+    EXPECT_EQ(levels[1]["z"], 10.0);
+    EXPECT_NEAR(levels[1]["units"][0]["area"].get<double>(), 1e4, 1e-6);
+    EXPECT_EQ(levels[1]["units"][1]["area"], 0.0);
+    EXPECT_TRUE(fs::exists(folder_ / "levels_01.svg"));
+    EXPECT_TRUE(fs::exists(folder_ / "levels_02.svg"));
+    EXPECT_FALSE(fs::exists(folder_ / "levels_03.svg"));
+    const std::unique_ptr<GDALDataset, decltype(&GDALClose)> file(
+        GDALDataset::Open((folder_ / "levels.gpkg").c_str(), GDAL_OF_VECTOR), &GDALClose);
+    ASSERT_TRUE(file);
+    std::vector<double> heights;
+    for (const auto& feature : *file->GetLayer(0)) {
+        heights.push_back(feature->GetFieldAsDouble("z"));
+        EXPECT_EQ(feature->GetGeometryRef()->toPolygon()->getExteriorRing()->getZ(0), heights.back());
+    }
+    EXPECT_EQ(heights, (std::vector<double>{8, 10}));
+    expect_failure("--critical -o levels.svg", 1, "levels_01.svg");
+}
+
+TEST_F(SectionCommand, writes_the_fence_as_a_mesh) {
+    const auto result = run("section model --through A,E,C -o fence.obj -o fence.ply");
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const std::string obj = content_of(folder_ / "fence.obj");
+    EXPECT_NE(obj.find("Sand"), std::string::npos);
+    EXPECT_NE(obj.find("Clay"), std::string::npos);
+    const json section = json::parse(run("section model --through A,E,C --json").out);
+    EXPECT_NEAR(area(read_mesh(folder_ / "fence.ply")), section["envelope_area"].get<double>(), 1e-9);
+    expect_failure("--at-z 9 -o level.obj", 2, "level.obj");
 }
 
 TEST_F(SectionCommand, says_what_is_wrong) {
