@@ -24,6 +24,7 @@ void add_section_command(CLI::App& program);
 void add_report_command(CLI::App& program);
 void add_deliver_command(CLI::App& program);
 void add_split_command(CLI::App& program);
+void add_thin_command(CLI::App& program);
 void add_validate_command(CLI::App& program);
 void add_view_command(CLI::App& program);
 

@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
     add_report_command(program);
     add_section_command(program);
     add_split_command(program);
+    add_thin_command(program);
     add_validate_command(program);
     add_view_command(program);
     try {
