@@ -36,7 +36,8 @@ export class Pointer {
       this.over = this.#place(event);
       this.#askSoon();
     });
-    canvas.addEventListener('pointerleave', () => {
+    canvas.addEventListener('pointerleave', (event) => {
+      if (event.pointerType === 'touch') return; // what was tapped stays told
       this.over = null;
       this.#askSoon();
     });

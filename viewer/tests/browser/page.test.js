@@ -427,6 +427,7 @@ test('an address brings the view back', async () => {
   const other = await openPage(browser, place, { fragment: `#${fragment}` });
   assert.equal(await other.evaluate(() => window.stratareeb.fragment()), fragment);
   await reset();
+  await page.waitForTimeout(600); // until the address has followed
   await page.evaluate((f) => (location.hash = f), fragment);
   await page.waitForFunction(() => window.stratareeb.settings.get('cut') === 'azimuth');
   assert.equal(await other.evaluate(() => window.look.picture()), await picture());
