@@ -25,8 +25,9 @@ int suitable_refinement(std::size_t holes);
 //! Options of `build`.
 struct BuildArguments {
     TableArguments table;
-    std::string output, ground, footprint = "hull", spacing = "auto", interpolator = "natural",
-                                pinch_out = "half", refine = "auto";
+    std::string output, ground, footprint = "hull", spacing = "auto",
+                                interpolator{name_of(kDefaultInterpolator)}, pinch_out = "half",
+                                refine = "auto";
     std::vector<std::string> formats;
     NormalWeight normals = NormalWeight::Uniform;
     StepKind step = StepKind::Faceted;

@@ -331,7 +331,7 @@ class Build {
     const BuildArguments& arguments_;
     Progress progress_;
     std::optional<Raster> terrain_;
-    InterpolatorKind interpolator_ = InterpolatorKind::NaturalNeighbour;
+    InterpolatorKind interpolator_ = kDefaultInterpolator;
     std::vector<std::string> notes_;  // for people, beside those of the table and the model
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -16,12 +17,14 @@
 #include "apps/choice.h"
 #include "apps/command.h"
 #include "apps/progress.h"
+#include "boreholes/choose_interpolator.h"
 #include "boreholes/errors.h"
 #include "boreholes/validation.h"
 #include "io/read_raster.h"
 #include "io/read_true_volumes.h"
 #include "io/staged_folder.h"
 #include "io/write_aside.h"
+#include "io/write_choice.h"
 #include "io/write_features.h"
 #include "io/write_residual_drawing.h"
 #include "io/write_table.h"
@@ -33,7 +36,7 @@ namespace {
 struct ValidateArguments {
     TableArguments table;
     std::string output, ground, pinch_out = "half", truth, plots = "svg";
-    std::vector<std::string> interpolators{"natural"};
+    std::vector<std::string> interpolators{std::string(name_of(kDefaultInterpolator))};
     std::size_t folds = 10, at_a_time = 0, suggestions = 5;
     double share = 30, confidence = 95;
     std::uint64_t seed = 1;
@@ -64,15 +67,15 @@ class Validate {
         const BoreholeTable table = read(arguments_.table.tables);
         const std::vector<Draw> draws = draws_of(table.survey.holes.size());
         std::vector<NamedValidation> validations;
-        for (const std::string& name : names())
-            validations.push_back({name, validated(table.survey, draws, name)});
+        for (const InterpolatorKind kind : kinds_for(table.survey))
+            validations.push_back({std::string(name_of(kind)), validated(table.survey, draws, kind)});
         progress_.clear();
         const ValidationRecord record = record_of(table, draws, validations);
         if (folder) write_files(*folder, table.survey, validations, record);
         if (!arguments_.quiet)
             for (const std::string& warning : record.warnings) fmt::print(stderr, "warning: {}\n", warning);
         if (arguments_.json)
-            fmt::print("{}\n", validation_json(table.survey, validations, record).dump(2));
+            fmt::print("{}\n", json_of(table.survey, validations, record).dump(2));
         else
             print(table.survey, validations, record);
     }
@@ -81,6 +84,31 @@ class Validate {
     std::vector<std::string> names() const {
         return arguments_.interpolators == std::vector<std::string>{"all"} ? all_interpolators()
                                                                            : arguments_.interpolators;
+    }
+
+    //! The interpolators asked for, each once; `auto` is what left-out holes choose.
+    std::vector<InterpolatorKind> kinds_for(const Survey& survey) {
+        std::vector<InterpolatorKind> kinds;
+        for (const std::string& name : names()) {
+            const InterpolatorKind kind = name == "auto" ? chosen_for(survey) : interpolator_kind(name);
+            if (std::ranges::find(kinds, kind) == kinds.end()) kinds.push_back(kind);
+        }
+        return kinds;
+    }
+
+    InterpolatorKind chosen_for(const Survey& survey) {
+        ChooseOptions options{
+            .pinch_out = pinch_out_rule(arguments_.pinch_out),
+            .terrain = terrain(),
+            .bare = arguments_.bare,
+            .progress = [this](double share) { progress_.step("choosing the interpolator", share); }};
+        choice_ = choose_interpolator(survey, options);
+        return choice_->kind;
+    }
+
+    std::function<std::optional<double>(const Point2&)> terrain() const {
+        if (!terrain_) return {};
+        return [this](const Point2& p) { return terrain_->sample(p.x, p.y); };
     }
 
     BoreholeTable read(const std::vector<std::string>& tables) const {
@@ -104,16 +132,15 @@ class Validate {
         return fmt::format("{} folds, seed {}", draws.size(), arguments_.seed);
     }
 
-    Validation validated(const Survey& survey, const std::vector<Draw>& draws, const std::string& name) {
+    Validation validated(const Survey& survey, const std::vector<Draw>& draws, InterpolatorKind kind) {
         ValidationOptions options;
-        options.hold_out.prediction.interpolator = interpolator_kind(name);
+        options.hold_out.prediction.interpolator = kind;
         options.hold_out.prediction.pinch_out = pinch_out_rule(arguments_.pinch_out);
-        if (terrain_)
-            options.hold_out.prediction.terrain = [this](const Point2& p) {
-                return terrain_->sample(p.x, p.y);
-            };
+        options.hold_out.prediction.terrain = terrain();
         options.hold_out.bare = arguments_.bare;
-        options.hold_out.progress = [&](double share) { progress_.step("predicting by " + name, share); };
+        options.hold_out.progress = [this, kind](double share) {
+            progress_.step(fmt::format("predicting by {}", name_of(kind)), share);
+        };
         options.confidence = arguments_.confidence / 100;
         options.law = arguments_.law;
         options.suggestions = arguments_.suggestions;
@@ -137,13 +164,21 @@ class Validate {
         return record;
     }
 
+    nlohmann::ordered_json json_of(const Survey& survey, const std::vector<NamedValidation>& validations,
+                                   const ValidationRecord& record) const {
+        auto json = validation_json(survey, validations, record);
+        if (choice_) json["auto"] = choice_json(*choice_);
+        return json;
+    }
+
     void write_files(StagedFolder& folder, const Survey& survey,
                      const std::vector<NamedValidation>& validations, const ValidationRecord& record) const {
         const NamedValidation& first = validations.front();
         write_aside(folder.add("validation.json"), [&](std::ostream& stream) {
-            stream << validation_json(survey, validations, record).dump(2) << '\n';
+            stream << json_of(survey, validations, record).dump(2) << '\n';
         });
         write_table(folder.add("errors.csv"), errors_table(validations));
+        if (choice_) write_table(folder.add("auto.csv"), choice_table(*choice_));
         write_table(folder.add("residuals.csv"), residuals_table(survey, first));
         write_table(folder.add("units.csv"), unit_match_table(survey, first));
         write_table(folder.add("next_boreholes.csv"), next_boreholes_table(first));
@@ -159,6 +194,7 @@ class Validate {
         const Validation& first = validations.front().result;
         fmt::print("{} boreholes, {} held out ({}), lengths in {}; errors are predicted - actual\n",
                    survey.holes.size(), first.held.size(), record.hold_out, survey.length_unit);
+        if (choice_) fmt::print("\n{}", choice_text(*choice_));
         print_items(validations.front(), record);
         print_pooled(first, record);
         if (validations.size() > 1) print_comparison(validations);
@@ -228,10 +264,10 @@ class Validate {
                                                    static_cast<double>(arguments_.table.tables.size()));
             const BoreholeTable table = read({file});
             LayerModelOptions options;
-            options.interpolator = interpolator_kind(names().front());
+            options.interpolator = kinds_for(table.survey).front();
             options.pinch_out = pinch_out_rule(arguments_.pinch_out);
             if (arguments_.bare) options.spacing = 0;
-            if (terrain_) options.terrain = [this](const Point2& p) { return terrain_->sample(p.x, p.y); };
+            options.terrain = terrain();
             models.push_back(
                 compare_volumes(std::filesystem::path(file).stem().string(), table.survey, truth, options));
         }
@@ -268,6 +304,7 @@ class Validate {
     const ValidateArguments& arguments_;
     Progress progress_;
     std::optional<Raster> terrain_;
+    std::optional<InterpolatorChoice> choice_;  // by `auto`
 };
 
 void add_hold_out_options(CLI::App& command, ValidateArguments& arguments) {
@@ -296,11 +333,14 @@ void add_hold_out_options(CLI::App& command, ValidateArguments& arguments) {
 
 void add_model_options(CLI::App& command, ValidateArguments& arguments) {
     std::vector<std::string> names = all_interpolators();
+    names.emplace_back("auto");
     names.emplace_back("all");
     command
         .add_option(
             "--interpolator", arguments.interpolators,
-            fmt::format("Prediction between holes, several with commas between: {}", fmt::join(names, ", ")))
+            fmt::format("Prediction between holes, several with commas between: {} (auto: by left-out "
+                        "holes; default {})",
+                        fmt::join(names, ", "), name_of(kDefaultInterpolator)))
         ->delimiter(',')
         ->check(CLI::IsMember(names));
     command

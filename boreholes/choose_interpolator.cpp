@@ -10,108 +10,101 @@
 #include <tuple>
 #include <utility>
 
+#include "boreholes/error_statistics.h"
 #include "boreholes/errors.h"
-#include "boreholes/thickness_field.h"
+#include "boreholes/hold_out.h"
 
 namespace stratareeb {
 
 namespace {
 
 constexpr std::size_t kFewestHoles = 5;
-constexpr std::size_t kStays = static_cast<std::size_t>(-1);  // the fold of holes that are never held out
 
-//! What holes say of one quantity.
+//! Of holes at one place, the first is kept.
+Survey with_single_places(const Survey& survey) {
+    const auto& holes = survey.holes;
+    std::vector<std::size_t> order(holes.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, {}, [&](std::size_t h) { return std::tuple(holes[h].at.x, holes[h].at.y, h); });
+    const auto repeated = std::ranges::unique(
+        order, {}, [&](std::size_t h) { return std::pair(holes[h].at.x, holes[h].at.y); });
+    order.erase(repeated.begin(), repeated.end());
+    std::ranges::sort(order);
+    Survey result{survey.units, {}, survey.contact_points, survey.length_unit};
+    for (const std::size_t h : order) result.holes.push_back(holes[h]);
+    return result;
+}
+
+//! Most holes are in no draw where there are many.
+std::vector<Draw> draws_of(std::size_t holes, const ChooseOptions& options) {
+    std::vector<std::size_t> order(holes);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::mt19937_64 random(options.seed);
+    for (std::size_t i = holes; i > 1; --i) std::swap(order[i - 1], order[random() % i]);
+    std::vector<Draw> draws(std::min(options.folds, holes));
+    for (std::size_t k = 0; k < std::min(holes, options.most_holes); ++k)
+        draws[k % options.folds].push_back(order[k]);
+    for (Draw& draw : draws) std::ranges::sort(draw);
+    std::erase_if(draws, [](const Draw& draw) { return draw.empty(); });
+    return draws;
+}
+
+//! What is compared: the thickness of each layer and the elevation of each base; of contact points, all elevations.
 struct Quantity {
     std::string name;
-    bool thickness = true;
-    std::vector<std::size_t> hole;
-    std::vector<Point2> at;
-    std::vector<double> value;
+    bool thickness;
+    std::size_t number;
 };
 
-// Of holes at one place, the first that knows speaks.
-std::vector<Quantity> quantities_of(const Survey& survey, const std::vector<std::size_t>& first_at_place) {
+std::vector<Quantity> quantities_of(const Survey& survey) {
     std::vector<Quantity> result;
-    const auto add = [&](std::string name, bool thickness, auto&& known) {
-        Quantity q{std::move(name), thickness, {}, {}, {}};
-        std::vector<char> spoken(survey.holes.size(), 0);
-        for (std::size_t h = 0; h < survey.holes.size(); ++h) {
-            const std::optional<double> value = known(survey.holes[h]);
-            if (value && !std::exchange(spoken[first_at_place[h]], static_cast<char>(1)))
-                q.hole.push_back(h), q.at.push_back(survey.holes[h].at), q.value.push_back(*value);
-        }
-        if (q.hole.size() >= kFewestHoles) result.push_back(std::move(q));
-    };
-    for (std::size_t i = 0; i <= survey.units.size(); ++i) {
-        if (survey.contact_points) {
-            add(i == 0 ? std::string("elevation of the ground")
-                       : fmt::format("base of '{}'", survey.units[i - 1].code),
-                false, [&](const Borehole& hole) {
-                    return i < hole.horizons.size() ? hole.horizons[i] : std::nullopt;
-                });
-        } else if (i < survey.units.size()) {
-            add(fmt::format("thickness of '{}'", survey.units[i].code), true, [&](const Borehole& hole) {
-                const bool known = i < hole.layers.size() && hole.layers[i].knowledge == Knowledge::Measured;
-                return known ? std::optional(hole.layers[i].thickness) : std::nullopt;
-            });
-        }
+    if (survey.contact_points) result.push_back({"elevation of the ground", false, 0});
+    for (std::size_t i = 0; i < survey.units.size() && !survey.contact_points; ++i)
+        result.push_back({fmt::format("thickness of '{}'", survey.units[i].code), true, i});
+    for (std::size_t i = 0; i < survey.units.size(); ++i)
+        result.push_back({fmt::format("base of '{}'", survey.units[i].code), false, i + 1});
+    return result;
+}
+
+std::vector<double> errors_of(const Survey& survey, const std::vector<HeldOutHole>& held, const Quantity& q) {
+    std::vector<double> errors;
+    for (const Residual& residual : q.thickness ? thickness_residuals(survey, held, q.number)
+                                                : elevation_residuals(survey, held, q.number))
+        errors.push_back(residual.error());
+    return errors;
+}
+
+//! Predictions of all candidates for all draws.
+std::vector<std::vector<HeldOutHole>> held_out(const Survey& survey, const std::vector<Draw>& draws,
+                                               const ChooseOptions& options) {
+    std::vector<std::vector<HeldOutHole>> result;
+    for (const InterpolatorKind kind : options.candidates) {
+        HoldOutOptions hold{.prediction = {}, .bare = options.bare, .progress = {}};
+        hold.prediction.interpolator = kind;
+        hold.prediction.pinch_out = options.pinch_out;
+        hold.prediction.terrain = options.terrain;
+        const auto done = static_cast<double>(result.size());
+        if (options.progress)
+            hold.progress = [&options, done](double share) {
+                options.progress((done + share) / static_cast<double>(options.candidates.size()));
+            };
+        result.push_back(hold_out(survey, draws, hold));
     }
     return result;
 }
 
-//! The first hole at each hole's place.
-std::vector<std::size_t> first_at_place(const std::vector<Borehole>& holes) {
-    std::vector<std::size_t> order(holes.size()), first(holes.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::sort(order, {}, [&](std::size_t h) { return std::tuple(holes[h].at.x, holes[h].at.y, h); });
-    for (std::size_t k = 0; k < order.size(); ++k)
-        first[order[k]] =
-            k > 0 && holes[order[k - 1]].at == holes[order[k]].at ? first[order[k - 1]] : order[k];
-    return first;
-}
-
-std::vector<std::size_t> folds_of(const std::vector<std::size_t>& first, const ChooseOptions& options) {
-    std::vector<std::size_t> places;
-    for (std::size_t h = 0; h < first.size(); ++h)
-        if (first[h] == h) places.push_back(h);
-    std::mt19937_64 random(options.seed);
-    for (std::size_t i = places.size(); i > 1; --i) std::swap(places[i - 1], places[random() % i]);
-    std::vector<std::size_t> fold(first.size(), kStays);
-    for (std::size_t k = 0; k < std::min(places.size(), options.most_holes); ++k)
-        fold[places[k]] = k % options.folds;
-    for (std::size_t h = 0; h < first.size(); ++h) fold[h] = fold[first[h]];
-    return fold;
-}
-
-std::vector<double> predicted(const Quantity& q, const Quantity& rest,
-                              const std::shared_ptr<HoleTriangulation>& holes, std::span<const Point2> where,
-                              InterpolatorKind kind, const PinchOutRule& rule) {
-    auto interpolator = make_interpolator(kind, holes);
-    if (!q.thickness) return interpolator->predict(where, std::vector<SiteField>{{rest.value, {}}})[0];
-    return ThicknessField(holes, {rest.value}, rule, std::move(interpolator)).predict(where)[0];
-}
-
-//! Sums of squared errors by candidate, and the number of holes that were held out.
-std::size_t hold_out(const Quantity& q, const std::vector<std::size_t>& fold, const ChooseOptions& options,
-                     std::vector<double>& squares) {
-    std::size_t count = 0;
-    for (std::size_t f = 0; f < options.folds; ++f) {
-        Quantity rest, out;
-        for (std::size_t k = 0; k < q.hole.size(); ++k) {
-            Quantity& to = fold[q.hole[k]] == f ? out : rest;
-            to.at.push_back(q.at[k]);
-            to.value.push_back(q.value[k]);
-        }
-        if (out.at.empty() || rest.at.empty()) continue;
-        const auto holes = std::make_shared<HoleTriangulation>(rest.at);
-        count += out.at.size();
-        for (std::size_t c = 0; c < squares.size(); ++c) {
-            const auto z = predicted(q, rest, holes, out.at, options.candidates[c], options.pinch_out);
-            for (std::size_t k = 0; k < z.size(); ++k)
-                squares[c] += (z[k] - out.value[k]) * (z[k] - out.value[k]);
+void score(InterpolatorChoice& choice, const Survey& survey, const ChooseOptions& options) {
+    const std::vector<Draw> draws = without_last_contacts(survey, draws_of(survey.holes.size(), options));
+    const auto held = held_out(survey, draws, options);
+    for (const Quantity& q : quantities_of(survey)) {
+        if (errors_of(survey, held[0], q).size() < kFewestHoles) continue;
+        choice.quantities.push_back(q.name);
+        for (std::size_t c = 0; c < held.size(); ++c) {
+            const ErrorSummary errors = summarize_errors(errors_of(survey, held[c], q));
+            if (c == 0) choice.held_out.push_back(errors.count);
+            choice.scores[c].rmse.push_back(errors.rmse);
         }
     }
-    return count;
 }
 
 //! Means of logarithms of errors against the first candidate's. Quantities that some candidate gets without an error tell nothing.
@@ -149,16 +142,15 @@ InterpolatorChoice choose_interpolator(const Survey& survey, const ChooseOptions
     if (options.folds < 2) throw InvalidInput("cross-validation needs at least two folds");
     InterpolatorChoice choice{options.candidates.front(), {}, {}, {}, {}};
     for (const InterpolatorKind kind : options.candidates) choice.scores.push_back({kind, {}, 1});
-    const std::vector<std::size_t> first = first_at_place(survey.holes);
-    const std::vector<std::size_t> fold = folds_of(first, options);
-    for (const Quantity& q : quantities_of(survey, first)) {
-        std::vector<double> squares(options.candidates.size(), 0.0);
-        const std::size_t count = hold_out(q, fold, options, squares);
-        if (count == 0) continue;
-        choice.quantities.push_back(q.name);
-        choice.held_out.push_back(count);
-        for (std::size_t c = 0; c < squares.size(); ++c)
-            choice.scores[c].rmse.push_back(std::sqrt(squares[c] / static_cast<double>(count)));
+    const Survey single = with_single_places(survey);
+    if (single.holes.size() >= kFewestHoles) {
+        try {
+            score(choice, single, options);
+        } catch (const InvalidInput&) {
+            // The rest of some draw says too little; whether all holes say enough is for the caller to find.
+            choice.quantities.clear(), choice.held_out.clear();
+            for (InterpolatorScore& s : choice.scores) s.rmse.clear();
+        }
     }
     set_ratios(choice.scores);
     const auto best = std::ranges::min_element(choice.scores, {}, &InterpolatorScore::ratio);

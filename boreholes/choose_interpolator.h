@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +22,12 @@ struct ChooseOptions {
     std::uint64_t seed = 1;
     std::size_t most_holes =
         1000;  // so many holes, drawn at random, are held out in all; the others always stay
+    //! As the model will be built.
     PinchOutRule pinch_out;
+    std::function<std::optional<double>(const Point2&)> terrain = {};
+    bool bare = false;
+    //! Called with the share done, from one thread at a time, but from different ones.
+    std::function<void(double share)> progress = {};
 };
 
 //! How well one method predicts holes that it hasn't seen.
@@ -32,16 +39,16 @@ struct InterpolatorScore {
 
 struct InterpolatorChoice {
     InterpolatorKind kind;
-    std::vector<std::string> quantities;    // "thickness of 'sand'", …
+    std::vector<std::string> quantities;    // "thickness of 'sand'", "base of 'sand'", …
     std::vector<std::size_t> held_out;      // holes, by quantity
     std::vector<InterpolatorScore> scores;  // in the order of the candidates
     std::string reason;                     // a sentence
 };
 
-//! The candidate with the least error when boreholes are left out, fold by fold, and predicted from the rest: thickness of each layer
-//! as a model has it, with its pinch-out rule, or elevation of each horizon of surveys of contact points. Holes at one place
-//! are held out together. A survey with fewer than 5 holes that know anything, or with nothing to tell candidates apart by,
-//! gets the first.
+//! The candidate with the least error when boreholes are left out, draw by draw, and predicted from the rest as a model of the
+//! rest would (hold_out.h): of the thickness of each layer and the elevation of its base that 5 held-out holes or more know;
+//! of contact points, of elevations. Of holes at one place the first is taken. A survey of fewer than 5 holes, or with nothing
+//! to tell candidates apart by, gets the first.
 //! \throw InvalidInput if there are no candidates or fewer than two folds.
 InterpolatorChoice choose_interpolator(const Survey& survey, const ChooseOptions& options = {});
 

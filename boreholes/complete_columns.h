@@ -21,7 +21,7 @@ struct CompleteColumns {
 };
 
 struct CompletionOptions {
-    InterpolatorKind interpolator = InterpolatorKind::NaturalNeighbour;
+    InterpolatorKind interpolator = kDefaultInterpolator;
     PinchOutRule pinch_out;
     //! Elevation of a terrain model; gives the ground where a hole does not.
     std::function<std::optional<double>(const Point2&)> terrain;

@@ -37,7 +37,7 @@ struct LayerModel {
 };
 
 struct LayerModelOptions {
-    InterpolatorKind interpolator = InterpolatorKind::NaturalNeighbour;
+    InterpolatorKind interpolator = kDefaultInterpolator;
     PinchOutRule pinch_out;
     std::optional<Footprint> footprint;  // map coordinates; empty = the holes' hull
     std::optional<double> spacing;       // empty = suitable_spacing; 0 = the bare triangulation of the holes

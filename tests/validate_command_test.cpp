@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -109,6 +110,30 @@ TEST(ValidateCommand, compares_volumes_with_the_truth) {
     const auto text = run_program(folder, "validate wells208.csv --truth wells13_truth.json");
     EXPECT_NE(text.out.find("208 holes"), std::string::npos);
     EXPECT_NE(text.out.find("all"), std::string::npos);
+}
+
+TEST(ValidateCommand, auto_names_what_it_chose_and_why) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(run_program(folder, "sample --holes 40 --layers 2 -o wells.csv").exit_code, 0);
+    const auto run = run_program(folder, "validate wells.csv --interpolator auto,linear --folds 4 -o report");
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Json json = Json::parse(content_of(folder / "report/validation.json"));
+    const Json& chosen = json["auto"];
+    EXPECT_EQ(json["interpolators"][0]["interpolator"], chosen["interpolator"]);
+    double least = 1;
+    for (const Json& candidate : chosen["candidates"])
+        least = std::min(least, candidate["ratio"].get<double>());
+    for (const Json& candidate : chosen["candidates"])
+        EXPECT_EQ(candidate["ratio"] == least, candidate["interpolator"] == chosen["interpolator"]);
+    ASSERT_EQ(chosen["quantities"].size(), 4u);  // two thicknesses, two bases
+    EXPECT_EQ(chosen["quantities"][0]["held_out"], 40);
+    EXPECT_GT(chosen["quantities"][3]["rmse"]["natural"], 0);
+    EXPECT_NE(run.out.find("auto: " + chosen["reason"].get<std::string>()), std::string::npos) << run.out;
+    const std::string table = content_of(folder / "report/auto.csv");
+    EXPECT_EQ(table.find("quantity,held_out,linear,natural,spline,kriging,kriging-linear,kriging-quadratic"),
+              0u)
+        << table;
+    EXPECT_EQ(std::ranges::count(table, '\n'), 6);
 }
 
 TEST(ValidateCommand, wrong_usage_and_bad_data_have_their_exit_codes) {
