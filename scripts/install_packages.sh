@@ -17,7 +17,9 @@ if ! command -v dpkg-query >/dev/null; then
     echo $wanted
     exit 0
 fi
-installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' | awk '$1 == "installed" { print $2 }' | sort -u)
+# What another package provides counts too: some distributions of nodejs bring npm along.
+installed=$(dpkg-query -W -f='${db:Status-Status} ${Package} ${Provides}\n' |
+    awk '$1 == "installed" { for (i = 2; i <= NF; ++i) { sub(/,$/, "", $i); print $i } }' | sort -u)
 missing=$(comm -23 <(sort -u <<<"$wanted") <(echo "$installed"))
 [ -n "$missing" ] || exit 0
 

@@ -82,9 +82,9 @@ export class App {
 
   volumeText({ volume }) {
     if (volume === undefined) return '';
-    const power = volume >= 1e7 ? 3 * Math.floor(Math.log10(volume) / 3) : 0;
+    const power = volume >= 1e6 ? 3 * Math.floor(Math.log10(volume) / 3) : 0;
     const digits = { 6: '⁶', 9: '⁹', 12: '¹²', 15: '¹⁵' }[power];
-    return `${grouped(volume / 10 ** power, 4)}${digits ? `·10${digits}` : ''} ${this.lengthUnit}³`;
+    return `${grouped(volume / 10 ** power, 3)}${digits ? `·10${digits}` : ''} ${this.lengthUnit}³`;
   }
 
   slabText(values) {
@@ -240,6 +240,7 @@ export class App {
       ? graphDiagram(graph, {
           datum: this.datum[2],
           names: this.units.map(({ name }) => name),
+          colors: this.colors,
           unit: this.lengthUnit,
           picked,
           onPick: (word) => this.settings.set({ picked: picked === word ? '' : word }),
@@ -280,7 +281,9 @@ export class App {
   }
 
   fragment() {
-    return toFragment({ ...this.settings.values, camera: this.stage.cameraState() }, this.settings.base);
+    const { base, values } = this.settings;
+    const camera = this.stage.view === 'oblique' ? base.camera : this.stage.cameraState();
+    return toFragment({ ...values, camera }, base);
   }
 
   async copyLink() {

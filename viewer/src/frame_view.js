@@ -78,13 +78,15 @@ export class FrameView {
       const edge = this.#edge(axis, project);
       const [mx] = project([0, 1, 2].map((k) => (this.box.low[k] + this.box.high[k]) / 2));
       let last = null;
+      const ends = [this.box.low, this.box.high].map((corner) => project(edge.map((c, k) => (k === axis ? corner[axis] : c))));
+      const isSeen = Math.hypot(ends[0][0] - ends[1][0], ends[0][1] - ends[1][1]) > kCrowd;
       for (const { at, text } of this.marks[axis]) {
         const p = edge.slice();
         p[axis] = at;
         const [x, y, inFront] = project(p);
         const label = this.labels[i++];
         const isFar = !last || Math.hypot(x - last[0], (y - last[1]) * 2.5) > kCrowd;
-        label.hidden = !inFront || !isFar;
+        label.hidden = !isSeen || !inFront || !isFar;
         if (label.hidden) continue;
         last = [x, y];
         const side = axis === 2 || x < mx ? -1 : 1;

@@ -54,13 +54,40 @@ function pickable(element, word, label, onPick) {
   return element;
 }
 
+/** All layers together: a lane for each layer, a line across for each level that all are cut at. */
+function drawLanes(drawing, graph, { y }, { names, picked, onPick, height, colors }) {
+  const lanes = [...new Set(graph.arcs.map(({ layer }) => layer))].sort((a, b) => a - b);
+  const wide = kWidth - kLeft - 2 * kMargin;
+  const x = (layer) => kLeft + kMargin + (lanes.length > 1 ? (lanes.indexOf(layer) / (lanes.length - 1)) * wide : wide / 2);
+  graph.nodes.forEach((node, i) => {
+    const word = `n${i}`;
+    const level = y(node.at[2]);
+    const group = svg('g', { class: picked === word ? 'level picked' : 'level' });
+    group.append(svg('path', { d: `M${kLeft + 4} ${level}H${kWidth - 4}`, class: 'line' }), svg('path', { d: `M${kLeft + 4} ${level}H${kWidth - 4}`, class: 'reach' }));
+    drawing.append(pickable(group, word, `level ${height(node)}: ${node.layers.map((l) => names[l]).join(', ')}`, onPick));
+  });
+  graph.arcs.forEach((arc, i) => {
+    const [a, b] = [graph.nodes[arc.from], graph.nodes[arc.to]];
+    const word = `a${i}`;
+    const d = `M${x(arc.layer)} ${y(a.at[2])}V${y(b.at[2])}`;
+    const group = svg('g', { class: picked === word ? 'arc picked' : 'arc' });
+    group.append(svg('path', { d, stroke: arc.color, class: 'line lane' }), svg('path', { d, class: 'reach' }));
+    drawing.append(pickable(group, word, `${names[arc.layer]}: from ${height(a)} to ${height(b)}`, onPick));
+  });
+  for (const layer of lanes) drawing.append(svg('circle', { cx: x(layer), cy: 6, r: 4.5, fill: colors[layer], class: 'lane-head' }, svg('title', {}, names[layer])));
+}
+
 /** The drawing. `datum`: elevation of the frame's z = 0; `names` of the layers; `onPick(word)`. */
-export function graphDiagram(graph, { datum, names, unit, picked, onPick }) {
+export function graphDiagram(graph, { datum, names, colors, unit, picked, onPick }) {
   const scale = scales(graph);
   const { x, y } = scale;
   const drawing = svg('svg', { viewBox: `0 0 ${kWidth} ${kHeight}`, class: 'graph', role: 'group', 'aria-label': 'Reeb graph' });
   drawing.append(...axis(scale, datum));
   const height = (node) => `${(node.at[2] + datum).toFixed(2)} ${unit}`;
+  if (graph.layer === null) {
+    drawLanes(drawing, graph, scale, { names, picked, onPick, height, colors });
+    return drawing;
+  }
   graph.arcs.forEach((arc, i) => {
     const [a, b] = [graph.nodes[arc.from], graph.nodes[arc.to]];
     const [x0, y0, x1, y1, xm] = [x(a.column), y(a.at[2]), x(b.column), y(b.at[2]), x(arc.column)];
@@ -74,7 +101,6 @@ export function graphDiagram(graph, { datum, names, unit, picked, onPick }) {
   });
   graph.nodes.forEach((node, i) => {
     const word = `n${i}`;
-    const kind = node.type === 'level' ? node.layers.map((l) => names[l]).join(', ') : node.type;
     const circle = svg('circle', {
       cx: x(node.column),
       cy: y(node.at[2]),
@@ -82,7 +108,7 @@ export function graphDiagram(graph, { datum, names, unit, picked, onPick }) {
       fill: kNodeColors[node.type] ?? '#ffffff',
       class: picked === word ? 'node picked' : 'node',
     });
-    drawing.append(pickable(circle, word, `${kind} at ${height(node)}`, onPick));
+    drawing.append(pickable(circle, word, `${node.type} at ${height(node)}`, onPick));
   });
   return drawing;
 }

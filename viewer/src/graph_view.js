@@ -5,10 +5,9 @@ import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import { GrowingPositions } from './growing_buffers.js';
-import { solidLine } from './contours_view.js';
-import { levelLineOfSoup } from './level_lines.js';
 import { kNodeColors } from './palette.js';
 import { clipped } from './polygon.js';
+import { contoursOfArcs, solidContours } from './solid_contours.js';
 
 const kContoursOfArc = 7;
 const kOnTop = 10; // drawn after everything else
@@ -38,18 +37,14 @@ const ring = () => drawn((pen) => {
   pen.stroke();
 });
 
-/** Triangles of a layer's solid in the order in which the program numbers them: nine coordinates each. */
-function solidSoup({ plan }, { layer, index, walls }, wanted) {
+/** Triangles of a layer's solid by their numbers: nine coordinates each. */
+function solidSoup({ plan }, layer, wanted) {
+  const index = plan.solidIndex(layer);
   const soup = [];
-  const count = index.length / 3;
-  for (const k of [layer, layer + 1]) {
-    const z = plan.horizons[k];
-    for (let t = 0; t < count; ++t) {
-      if (!wanted((k - layer) * count + t)) continue;
-      for (let c = 0; c < 3; ++c) soup.push(plan.x[index[3 * t + c]], plan.y[index[3 * t + c]], z[index[3 * t + c]]);
-    }
+  for (let t = 0; t < index.length / 3; ++t) {
+    if (!wanted(t)) continue;
+    for (let c = 0; c < 3; ++c) soup.push(...plan.solidPoint(layer, index[3 * t + c]));
   }
-  for (let t = 0; t < walls.length / 9; ++t) if (wanted(2 * count + t)) soup.push(...walls.subarray(9 * t, 9 * t + 9));
   return soup;
 }
 
@@ -170,24 +165,25 @@ export class GraphView {
     for (let i = 0; i < soup.length; i += 3) this.part.put(soup[i], soup[i + 1], soup[i + 2] + up);
   }
 
-  #put(up) {
-    return (ax, ay, az, bx, by, bz) => {
-      this.contours.put(ax, ay, az + up);
-      this.contours.put(bx, by, bz + up);
-    };
-  }
-
   #pickArc(arc, number, lift) {
     const { nodes, arcOf } = this.graph;
     this.#markArc(arc, this.graph.layer === null ? 0 : lift[arc.layer]);
     const [low, high] = [nodes[arc.from].at[2], nodes[arc.to].at[2]];
-    const meshes = this.view.layers[arc.layer];
     const own = arcOf
-      ? solidSoup(this.view, meshes, (t) => arcOf[t] === number)
-      : between(solidSoup(this.view, meshes, () => true), low, high);
+      ? solidSoup(this.view, arc.layer, (t) => arcOf[t] === number)
+      : between(solidSoup(this.view, arc.layer, () => true), low, high);
     this.#putPart(own, lift[arc.layer], arc.color);
-    for (let i = 1; i <= kContoursOfArc; ++i)
-      levelLineOfSoup(own, low + (i / (kContoursOfArc + 1)) * (high - low), this.#put(lift[arc.layer]));
+    for (let i = 1; i <= kContoursOfArc; ++i) {
+      const level = low + (i / (kContoursOfArc + 1)) * (high - low);
+      this.#putContours(arc.layer, level, arcOf ? new Set([number]) : null, lift);
+    }
+  }
+
+  /** Contours of a layer at a level; of these arcs only, if any are named. */
+  #putContours(layer, level, arcs, lift) {
+    const pieces = solidContours(this.view.plan, layer, level);
+    for (const { segments } of arcs ? contoursOfArcs(pieces, this.graph.arcOf, arcs) : pieces)
+      for (let i = 0; i < segments.length; i += 3) this.contours.put(segments[i], segments[i + 1], segments[i + 2] + lift[layer]);
   }
 
   #markArc({ curve }, up) {
@@ -202,16 +198,8 @@ export class GraphView {
   #pickNode(node, number, lift) {
     const { arcs, arcOf } = this.graph;
     this.mark.put(node.at[0], node.at[1], node.at[2] + (arcOf ? lift[this.graph.layer] : 0));
-    if (!arcOf) {
-      for (const layer of node.layers) {
-        const { index, walls } = this.view.layers[layer];
-        solidLine(this.view.plan, layer, index, walls, node.at[2], this.#put(lift[layer]));
-      }
-      return;
-    }
     const near = new Set(arcs.flatMap(({ from, to }, i) => (from === number || to === number ? [i] : [])));
-    const own = solidSoup(this.view, this.view.layers[this.graph.layer], (t) => near.has(arcOf[t]));
-    levelLineOfSoup(own, node.at[2], this.#put(lift[this.graph.layer]));
+    for (const layer of node.layers) this.#putContours(layer, node.at[2], arcOf ? near : null, lift);
   }
 
   /** The node or arc drawn near a place on the canvas: { node }, { arc } or null. */

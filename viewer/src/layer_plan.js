@@ -83,29 +83,53 @@ export class LayerPlan {
     return index;
   }
 
-  /** Walls of a layer, seen from outside: nine coordinates a triangle, in the order of the program's solids. */
-  wallsOf(layer) {
-    const { x, y, outline } = this;
+  /** A vertex of a layer's base as a number of its own, unless top and base are one there. */
+  baseOf(layer, v) {
+    return this.thickness(layer, v) === 0 ? v : this.vertices + v;
+  }
+
+  /** Walls of a layer, seen from outside, in the order of the program's solids: three vertices a triangle (v: top, or baseOf). */
+  #wallIndex(layer) {
+    const { outline } = this;
     const top = this.horizons[layer];
     const base = this.horizons[layer + 1];
     const walls = [];
-    const add = (...points) => {
-      for (const [v, z] of points) walls.push(x[v], y[v], z);
-    };
     for (let i = 0; i < outline.length; i += 3) {
       if (!this.presence[layer][outline[i + 2]]) continue;
       const [a, b] = [outline[i], outline[i + 1]];
-      const [up, vp] = [[a, top[a]], [b, top[b]]];
-      const [down, vdown] = [[a, base[a]], [b, base[b]]];
-      const thinA = top[a] === base[a];
-      const thinB = top[b] === base[b];
-      if (thinA && thinB) continue;
-      if (thinA) add(up, vdown, vp);
-      else if (thinB) add(down, vp, up);
-      else if (Math.abs(vp[1] - down[1]) <= Math.abs(vdown[1] - up[1])) add(down, vdown, vp, down, vp, up);
-      else add(down, vdown, up, up, vdown, vp);
+      const [a0, b0] = [this.baseOf(layer, a), this.baseOf(layer, b)];
+      if (a === a0 && b === b0) continue;
+      if (a === a0) walls.push(a, b0, b);
+      else if (b === b0) walls.push(a0, b, a);
+      else if (Math.abs(top[b] - base[a]) <= Math.abs(base[b] - top[a])) walls.push(a0, b0, b, a0, b, a);
+      else walls.push(a0, b0, a, a, b0, b);
     }
-    return new Float32Array(walls);
+    return walls;
+  }
+
+  /** The walls' coordinates, nine a triangle. */
+  wallsOf(layer) {
+    const walls = this.#wallIndex(layer);
+    const points = new Float32Array(3 * walls.length);
+    walls.forEach((id, i) => points.set(this.solidPoint(layer, id), 3 * i));
+    return points;
+  }
+
+  /** Where a vertex of a layer's solid stands. */
+  solidPoint(layer, id) {
+    const v = id % this.vertices;
+    return [this.x[v], this.y[v], this.horizons[id < this.vertices ? layer : layer + 1][v]];
+  }
+
+  /** All triangles of a layer's solid in the program's order: tops, bases, walls; three vertices each. */
+  solidIndex(layer) {
+    const tops = this.trianglesOf(layer);
+    const walls = this.#wallIndex(layer);
+    const index = new Uint32Array(2 * tops.length + walls.length);
+    index.set(tops);
+    tops.forEach((v, i) => (index[tops.length + i] = this.baseOf(layer, v)));
+    index.set(walls, 2 * tops.length);
+    return index;
   }
 
   /** Normals of a horizon, up, averaged over its triangles by their areas; 16 bits a coordinate. */

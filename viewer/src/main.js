@@ -33,6 +33,7 @@ function openFragment(app, fragment) {
   const said = fromFragment(fragment);
   app.settings.set({ ...app.settings.base, ...said });
   if (said.camera) app.stage.setCameraState(said.camera);
+  else app.stage.show('oblique');
 }
 
 async function open() {
@@ -49,7 +50,6 @@ async function open() {
   const app = new App(model, settings, stage, shell.overlay);
   fillShell(app, new Bindings(settings), shell);
   stage.show('oblique');
-  settings.base.camera = stage.cameraState();
   if (said.camera) stage.setCameraState(said.camera);
   keepAddress(app);
   stage.draw();

@@ -29,7 +29,7 @@ function layerRow({ app, bindings, settings }, unit, i) {
     settings.set({ hidden: isAlone ? [] : others });
   }, { class: 'quiet' });
   const row = h('li', { class: 'layer' },
-    h('label', {}, box, swatch, h('span', { class: 'name' }, unit.name)),
+    h('label', {}, box, swatch, h('span', { class: 'name', title: unit.name }, unit.name)),
     h('span', { class: 'fact' }, app.isPresent(i) ? app.volumeText(unit) : 'absent'), only, faint);
   bindings.follow((values) => {
     box.checked = !values.hidden.includes(i);

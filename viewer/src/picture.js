@@ -5,11 +5,11 @@ const kScale = 2;
 const kMargin = 18;
 const kLine = 21;
 
-function legend(pen, entries, right, bottom, dark) {
+function legend(pen, entries, right, dark) {
   pen.font = '14px system-ui, sans-serif';
   const width = Math.max(...entries.map(({ name }) => pen.measureText(name).width)) + 40;
   const height = entries.length * kLine + 14;
-  const [x, y] = [right - width - kMargin, bottom - height - kMargin];
+  const [x, y] = [right - width - kMargin, kMargin];
   pen.fillStyle = dark ? 'rgba(22,26,31,0.85)' : 'rgba(255,255,255,0.85)';
   pen.fillRect(x, y, width, height);
   entries.forEach(({ name, color }, i) => {
@@ -49,7 +49,7 @@ export async function pictureOf(stage, { title, caption, entries, dark, backgrou
   pen.fillText(title, kMargin, kMargin + 14);
   pen.font = '13px system-ui, sans-serif';
   pen.fillText(caption, kMargin, height - kMargin);
-  if (entries.length > 0) legend(pen, entries, width, height, dark);
+  if (entries.length > 0) legend(pen, entries, width, dark);
   return new Promise((resolve) => canvas.toBlob(resolve, 'image/png'));
 }
 

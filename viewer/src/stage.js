@@ -46,6 +46,8 @@ export class Stage {
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.zoomToCursor = true;
     this.controls.addEventListener('change', () => this.request());
+    this.controls.addEventListener('start', () => (this.view = null));
+    this.view = null; // the name of the view that is shown, until the reader turns it
     this.frames = 0; // drawn so far, for tests
     this.split = false;
     this.beforeHalf = () => {}; // called with 0 and 1 before each half of a split picture, with 1 for a whole one
@@ -70,6 +72,7 @@ export class Stage {
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     this.renderer.setSize(clientWidth, clientHeight, false);
     this.size = [clientWidth, clientHeight];
+    if (this.view) this.show(this.view);
     this.request();
   }
 
@@ -150,6 +153,7 @@ export class Stage {
     const { camera, controls } = this;
     const direction = view ? new Vector3(...kViews[view]) : camera.position.clone().sub(controls.target);
     direction.normalize();
+    this.view = view ?? this.view;
     const target = this.centre();
     controls.target.copy(target);
     camera.position.copy(target).addScaledVector(direction, this.#fittingDistance(direction));
@@ -203,6 +207,7 @@ export class Stage {
   }
 
   setTurning(turning) {
+    this.view = null;
     this.turning = turning;
     this.lastTurn = 0;
     this.request();
@@ -225,6 +230,7 @@ export class Stage {
   }
 
   setCameraState(state) {
+    this.view = null;
     this.camera.position.fromArray(state, 0);
     this.controls.target.fromArray(state, 3);
     if (this.camera === this.parallel) {
