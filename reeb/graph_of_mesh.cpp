@@ -17,7 +17,7 @@
 #include "mesh/analysis.h"
 #include "mesh/ring_crossings.h"
 #include "mesh/self_intersection.h"
-#include "reeb/contour_alignment.h"
+#include "reeb/contour_matching.h"
 #include "reeb/correspondence.h"
 #include "reeb/cut_crossings.h"
 #include "reeb/filled_boundaries.h"
@@ -78,9 +78,17 @@ class GraphOfMesh {
         tbb::parallel_for(std::size_t{0}, contours_.size(),
                           [&](std::size_t e) { refine(sweep_.edges[e], contours_[e]); });
         add_edges();
-        for (std::size_t round = 0; round < options_.crossing_rounds && add_contours_where_crossing();
-             ++round)
-            add_edges();
+        // First quickly, then what other ways of joining can't mend.
+        bool is_mended = false;
+        for (std::size_t round = 0; round < options_.crossing_rounds; ++round) {
+            is_mended = is_mended || round >= kQuickRounds;
+            if (add_contours_where_crossing(is_mended)) {
+                add_edges();
+                continue;
+            }
+            if (is_mended) break;
+            is_mended = true;
+        }
         return std::move(result_);
     }
 
@@ -226,7 +234,7 @@ class GraphOfMesh {
             shapes.push_back(contour_by_perimeter(contours[i].points));
             heights.push_back(contours[i].z);
         }
-        return ContourHomotopy(aligned_contours(std::move(shapes)), heights, {.kind = options_.homotopy})
+        return ContourHomotopy(matched_contours(std::move(shapes)), heights, {.kind = options_.homotopy})
             .contour(k - first, t)
             .points;
     }
@@ -280,8 +288,11 @@ class GraphOfMesh {
 
     //! Half way between contours, or a contour and a node, between which the surface made of them would cross something.
     //! \return were there any?
-    bool add_contours_where_crossing() {
-        const ConstructedSurface surface = surface_of_graph(result_, {.avoid_crossings = false});
+    //! \param is_mended the other ways of joining places that construct_surface has are tried first
+    bool add_contours_where_crossing(bool is_mended) {
+        const ConstructedSurface surface =
+            surface_of_graph(result_, {.avoid_crossings = is_mended, .fairing = is_mended});
+        if (is_mended && surface.crossings.empty()) return false;
         std::set<std::pair<std::uint32_t, std::size_t>> places;  // edge, number of contours below
         for (const auto& pair : self_intersections(surface.soup, kCrossingsLookedAt).first)
             for (const std::uint32_t t : pair) {
@@ -347,6 +358,7 @@ class GraphOfMesh {
         result_.edges.push_back(std::move(edge));
     }
 
+    static constexpr std::size_t kQuickRounds = 2;
     static constexpr std::size_t kCrossingsLookedAt = 5000;  // pairs of triangles
     static constexpr double kMostCut = 0.05;                 // of a contour's length
     static constexpr double kLeastGap = 1e-3;                // of an edge's height, between contours

@@ -6,6 +6,7 @@
 
 #include "reeb/cap_profile.h"
 #include "reeb/contour_alignment.h"
+#include "reeb/contour_matching.h"
 #include "reeb/point_math.h"
 #include "reeb/sliding_homotopy.h"
 
@@ -18,6 +19,21 @@ using Kind = StrandEnd::Kind;
 const std::vector<SampledContour> kNoRows;
 
 constexpr double kSteepest = 2;  // rise over run of terrain, 63 degrees
+
+//! The ring matched to a contour, with its vertices.
+Ring matched_ring(const SampledContour& below, const Ring& ring, Matching matching) {
+    Ring result{matched_contour(below, ring.shape, matching), ring.vertices};
+    std::vector<std::uint32_t>& vertices = result.vertices;
+    std::size_t shift = 0;
+    const auto fits = [&](std::size_t k) {
+        for (std::size_t i = 0; i < vertices.size(); ++i)
+            if (!(result.shape.points[i] == ring.shape.points[(i + k) % vertices.size()])) return false;
+        return true;
+    };
+    while (shift < vertices.size() && !fits(shift)) ++shift;
+    std::ranges::rotate(vertices, vertices.begin() + static_cast<std::ptrdiff_t>(shift % vertices.size()));
+    return result;
+}
 
 double plan_area(const std::vector<Point3>& ring) {
     double twice = 0;
@@ -57,7 +73,8 @@ class StrandBuilder {
     void begin(std::size_t place) {
         group_ = begin_place_(place);
         const auto at = strand_.joins.find(place);
-        join_ = at != strand_.joins.end() ? std::optional(at->second) : std::nullopt;
+        join_ = at != strand_.joins.end() && at->second != Join::ByShape ? std::optional(at->second)
+                                                                         : std::nullopt;
     }
 
     void collect_rings() {
@@ -86,7 +103,13 @@ class StrandBuilder {
 
     void align_rings() {
         for (std::size_t k = 1; k < rings_.size(); ++k)
-            rings_[k] = with_origin(rings_[k], aligned_origin(rings_[k - 1].shape, rings_[k].shape));
+            rings_[k] = matched_ring(rings_[k - 1].shape, rings_[k], matching_below(k));
+    }
+
+    //! Rings at saddles are another shape than the contours beside them: by length they come closer to what is smooth.
+    Matching matching_below(std::size_t k) const {
+        if (strand_.joins.contains(k)) return Matching::ByShape;
+        return is_bouquet(k) || is_bouquet(k - 1) ? Matching::ByLength : Matching::Automatic;
     }
 
     void make_homotopy() {

@@ -16,8 +16,9 @@ namespace stratareeb {
 
 //! What else there is for a place where contours of the homotopy cross something.
 enum class Join {
-    Sheet,     // see plan_sheet; straight where there is none
+    ByShape,   // contours between, but of contours matched by shape (see matched_contour)
     Straight,  // without contours between
+    Sheet,     // see plan_sheet; straight where there is none
 };
 
 //! How a strand ends.

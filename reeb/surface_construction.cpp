@@ -33,10 +33,11 @@ using Kind = StrandEnd::Kind;
 
 constexpr std::size_t kRounds = 8;  // of joining otherwise what crosses
 constexpr std::size_t kCrossingsLookedAt =
-    1000;  // pairs of triangles; where there are more, they come up again
+    5000;  // pairs of triangles; where there are more, they come up again
 
 //! An edge, and a place on it (see Strand::joins).
 using EdgePlace = std::pair<std::uint32_t, std::size_t>;
+constexpr std::size_t kFilling = ~std::size_t{0};  // no place, but what a flat node is filled with
 
 //! What is done otherwise so that nothing crosses.
 struct Remedies {
@@ -94,7 +95,8 @@ class Construction {
         }
         result.soup = surface_.soup();
         if (options_.fairing) fair_surface(result.soup, surface_.free_vertices(), remedies_.rigid);
-        for (const std::uint32_t part : surface_.triangle_parts())
+        result.triangle_part = surface_.triangle_parts();
+        for (const std::uint32_t part : result.triangle_part)
             result.triangle_edge.push_back(places_[part].first);
         return result;
     }
@@ -102,6 +104,7 @@ class Construction {
     //! Join a place otherwise the next time. \return whether there is another way
     bool find_remedy(const Place& place, Remedies& remedies) const {
         const auto& [e, at] = place;
+        if (at == kFilling) return false;
         const Strand& strand = strands_[e];
         for (const StrandEnd* end : {&strand.bottom, &strand.top}) {
             const bool is_beside =
@@ -113,31 +116,34 @@ class Construction {
                 return true;
             if (is_beside && end->kind == Kind::Sheet) return false;
         }
-        const auto [known, is_new] = remedies.joins.try_emplace(place, Join::Sheet);
-        return is_new || std::exchange(known->second, Join::Straight) == Join::Sheet;
+        return join_otherwise(place, remedies);
     }
 
-    //! Pairs of places whose triangles cross.
-    std::set<std::pair<Place, Place>> crossing_places(const TriangleSoup& soup) const {
+    //! Pairs of places whose triangles cross. A place without a number is what a flat node is filled with.
+    std::set<std::pair<Place, Place>> crossing_places(const ConstructedSurface& surface) const {
         std::set<std::pair<Place, Place>> pairs;
         const auto place = [&](std::uint32_t triangle) {
-            return places_[surface_.triangle_parts()[triangle]];
+            const std::uint32_t part = surface.triangle_part[triangle];
+            return part < places_.size() ? places_[part] : Place{surface.triangle_edge[triangle], kFilling};
         };
-        for (const auto& [a, b] : self_intersections(soup, kCrossingsLookedAt).first)
+        for (const auto& [a, b] : self_intersections(surface.soup, kCrossingsLookedAt).first)
             pairs.emplace(std::minmax(place(a), place(b)));
         return pairs;
     }
 
-    //! A place in words.
-    std::string text_of_place(const Place& place) const {
+    //! A place in words, as a graph with the same edges names it.
+    std::string text_of_place(const EnhancedReebGraph& named, const Place& place) const {
         const auto& [e, at] = place;
-        const EnhancedEdge& edge = graph_.edges[e];
+        const EnhancedEdge& edge = named.edges[e];
+        const auto name = [&](std::uint32_t n) { return "node " + text_of(named.nodes[n].id); };
+        if (at == kFilling)
+            return "a level piece beside contour " + text_of(named.contours[edge.contours.front()].id);
         const bool node_first = strands_[e].bottom.kind == Kind::Ring;
         const auto ring = [&](std::size_t k) {  // counted from 0, those at nodes included
             const std::size_t first = node_first ? 1 : 0;
             if (k < first) return name(edge.from);
             if (k - first >= edge.contours.size()) return name(edge.to);
-            return "contour " + text_of(graph_.contours[edge.contours[k - first]].id);
+            return "contour " + text_of(named.contours[edge.contours[k - first]].id);
         };
         const std::string lower = at == 0 ? name(edge.from) : ring(at - 1);
         const std::string upper = ring(at);
@@ -145,6 +151,19 @@ class Construction {
     }
 
  private:
+    //! A sheet first where it is cheap or nothing else does: for ends, and on ground.
+    bool join_otherwise(const Place& place, Remedies& remedies) const {
+        const auto& [e, at] = place;
+        static const std::vector<Join> kEnd{Join::Sheet, Join::Straight},
+            kBand{Join::ByShape, Join::Straight, Join::Sheet};
+        const auto& ways = at == 0 || at == rings_of(strands_[e]) ? kEnd : kBand;
+        const auto [known, is_new] = remedies.joins.try_emplace(place, ways.front());
+        if (is_new) return true;
+        if (known->second == ways.back()) return false;
+        known->second = *std::next(std::ranges::find(ways, known->second));
+        return true;
+    }
+
     //! One side of a node: edges that end there, or start there.
     struct Side {
         const std::vector<std::uint32_t>& edges;
@@ -433,7 +452,8 @@ std::set<EdgePlace> places_in(const std::set<std::pair<EdgePlace, EdgePlace>>& p
 
 }  // namespace
 
-ConstructedSurface construct_surface(const EnhancedReebGraph& graph, const SurfaceOptions& options) {
+ConstructedSurface construct_surface(const EnhancedReebGraph& graph, const SurfaceOptions& options,
+                                     const SurfaceFinish& finish) {
     check_graph(graph);
     Remedies remedies;
     Sheets sheets;
@@ -441,17 +461,23 @@ ConstructedSurface construct_surface(const EnhancedReebGraph& graph, const Surfa
     for (std::size_t round = 1;; ++round) {
         Construction construction(graph, options, remedies, sheets);
         ConstructedSurface surface = construction.run();
+        if (finish.run) finish.run(surface);
         if (!options.avoid_crossings) return surface;
-        const auto pairs = construction.crossing_places(surface.soup);
+        const auto pairs = construction.crossing_places(surface);
+        const auto text = [&](const EdgePlace& place) {
+            return construction.text_of_place(finish.named ? *finish.named : graph, place);
+        };
         for (const auto& [a, b] : pairs)
-            surface.crossings.push_back(a == b ? construction.text_of_place(a) + ", with itself"
-                                               : construction.text_of_place(a) + ", and " +
-                                                     construction.text_of_place(b));
+            surface.crossings.push_back(text(a) + (a == b ? ", with itself" : ", and " + text(b)));
         if (!best || pairs.size() < best->crossings.size()) best = std::move(surface);
         bool is_new = false;
         for (const EdgePlace& place : places_in(pairs)) is_new |= construction.find_remedy(place, remedies);
         if (!is_new || round == kRounds) return std::move(*best);
     }
+}
+
+ConstructedSurface construct_surface(const EnhancedReebGraph& graph, const SurfaceOptions& options) {
+    return construct_surface(graph, options, {});
 }
 
 }  // namespace stratareeb

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,10 +24,14 @@ struct SurfaceOptions {
         false;  // gentle places as thin plates over the plan instead of the edges' homotopies, see below
 };
 
+inline constexpr std::uint32_t kNoPart = ~std::uint32_t{0};
+
 //! A closed surface, outward, with what each triangle was made from.
 struct ConstructedSurface {
     TriangleSoup soup;
     std::vector<std::uint32_t> triangle_edge;  // by triangle: edge of the graph
+    std::vector<std::uint32_t>
+        triangle_part;  // by triangle: the place on an edge, by a number of its own; kNoPart where it has none
     // Where the surface crosses itself all the same: pairs of places, each between two contours of an edge, in words. Not looked for unless
     // crossings are to be avoided.
     std::vector<std::string> crossings;
@@ -48,5 +53,13 @@ struct ConstructedSurface {
 //! \throw InvalidInput if faults_of(graph) finds any, or where a node leaves open how its contours run together: it names the node and
 //! the way out.
 ConstructedSurface construct_surface(const EnhancedReebGraph& graph, const SurfaceOptions& options = {});
+
+//! What is to be done with a surface before it is asked where it crosses itself, and the graph that names places (it has the same edges).
+struct SurfaceFinish {
+    std::function<void(ConstructedSurface&)> run = {};
+    const EnhancedReebGraph* named = nullptr;
+};
+ConstructedSurface construct_surface(const EnhancedReebGraph& graph, const SurfaceOptions& options,
+                                     const SurfaceFinish& finish);
 
 }  // namespace stratareeb

@@ -12,10 +12,8 @@
 
 #include "boreholes/errors.h"
 #include "mesh/ring_fill.h"
-#include "mesh/self_intersection.h"
 #include "mesh/soup_topology.h"
 #include "reeb/graph_conditions.h"
-#include "reeb/graph_strands.h"
 #include "reeb/level_pieces.h"
 
 namespace stratareeb {
@@ -23,7 +21,6 @@ namespace stratareeb {
 namespace {
 
 constexpr std::uint32_t kNone = ~0u;
-constexpr std::size_t kCrossingsLookedAt = 1000;  // pairs of triangles
 constexpr std::size_t kLeastSteps = 3;  // beside a contour that comes to a corner twice: keeps these apart
 
 using Triangle = std::array<std::uint32_t, 3>;
@@ -69,10 +66,12 @@ class Assembly {
             if (std::ranges::any_of(heights[edge], [&](double z) { return is_at(soup.triangles[t], z); }))
                 continue;
             soup.triangles[kept] = soup.triangles[t];
+            surface_.triangle_part[kept] = surface_.triangle_part[t];
             surface_.triangle_edge[kept++] = edge;
         }
         soup.triangles.resize(kept);
         surface_.triangle_edge.resize(kept);
+        surface_.triangle_part.resize(kept);
     }
 
     //! One vertex for each place of a node's contours.
@@ -122,6 +121,7 @@ class Assembly {
         face_as_around(n, triangles);
         surface_.soup.triangles.insert(surface_.soup.triangles.end(), triangles.begin(), triangles.end());
         surface_.triangle_edge.resize(surface_.soup.triangles.size(), edge);
+        surface_.triangle_part.resize(surface_.soup.triangles.size(), kNoPart);
     }
 
     //! Sides of triangles that run from one vertex of the node to another.
@@ -199,51 +199,6 @@ class Assembly {
     std::vector<std::map<Place, std::uint32_t>> vertex_at_;  // by node
 };
 
-//! Places where a surface crosses itself, in words: contours between which it does.
-class CrossingTexts {
- public:
-    CrossingTexts(const EnhancedReebGraph& graph, const ConstructedSurface& surface)
-        : graph_(graph), surface_(surface) {
-        for (const GraphStrand& strand : strands_of(graph, 4)) heights_.push_back(strand.heights);
-    }
-
-    std::vector<std::string> run(const SelfIntersections& crossings) const {
-        std::set<std::pair<Place, Place>> places;
-        for (const auto& [a, b] : crossings.first) places.insert(std::minmax(place_of(a), place_of(b)));
-        std::vector<std::string> texts;
-        for (const auto& [a, b] : places)
-            texts.push_back(text_of_place(a) + (a == b ? ", with itself" : ", and " + text_of_place(b)));
-        return texts;
-    }
-
- private:
-    using Place = std::pair<std::uint32_t, std::size_t>;  // an edge, and how many of its contours are below
-
-    Place place_of(std::uint32_t triangle) const {
-        const auto& [a, b, c] = surface_.soup.triangles[triangle];
-        const auto& p = surface_.soup.points;
-        const double z = p[a].z / 3 + p[b].z / 3 + p[c].z / 3;
-        const std::uint32_t e = surface_.triangle_edge[triangle];
-        const auto above = std::ranges::lower_bound(heights_[e], z) - heights_[e].begin();
-        return {e, static_cast<std::size_t>(above)};
-    }
-
-    std::string text_of_place(const Place& place) const {
-        const auto& [e, below] = place;
-        const EnhancedEdge& edge = graph_.edges[e];
-        const auto contour = [&](std::size_t k) {
-            return "contour " + text_of(graph_.contours[edge.contours[k]].id);
-        };
-        const auto node = [&](std::uint32_t n) { return "node " + text_of(graph_.nodes[n].id); };
-        return fmt::format("between {} and {}", below == 0 ? node(edge.from) : contour(below - 1),
-                           below == edge.contours.size() ? node(edge.to) : contour(below));
-    }
-
-    const EnhancedReebGraph& graph_;
-    const ConstructedSurface& surface_;
-    std::vector<std::vector<double>> heights_;  // by edge: of its contours
-};
-
 }  // namespace
 
 ConstructedSurface surface_of_graph(const EnhancedReebGraph& graph, const SurfaceOptions& options) {
@@ -252,21 +207,10 @@ ConstructedSurface surface_of_graph(const EnhancedReebGraph& graph, const Surfac
     const LevelPieces pieces = level_pieces(graph, options.samples);
     SurfaceOptions own = options;
     if (pieces.has_pinched_ends) own.steps = std::max(own.steps, kLeastSteps);
-    // The caps that close pieces may lie on one another: what crosses is asked without them first.
-    own.avoid_crossings = false;
-    ConstructedSurface surface = Assembly(graph, pieces, construct_surface(pieces.graph, own)).run();
-    if (!options.avoid_crossings) return surface;
-    SelfIntersections crossings = self_intersections(surface.soup, kCrossingsLookedAt);
-    if (crossings.count == 0) return surface;
-    own.avoid_crossings = true;
-    ConstructedSurface other = Assembly(graph, pieces, construct_surface(pieces.graph, own)).run();
-    SelfIntersections left = self_intersections(other.soup, kCrossingsLookedAt);
-    if (left.count < crossings.count) {
-        surface = std::move(other);
-        crossings = std::move(left);
-    }
-    surface.crossings = CrossingTexts(graph, surface).run(crossings);
-    return surface;
+    const auto assemble = [&](ConstructedSurface& surface) {
+        surface = Assembly(graph, pieces, std::move(surface)).run();
+    };
+    return construct_surface(pieces.graph, own, {.run = assemble, .named = &graph});
 }
 
 }  // namespace stratareeb
