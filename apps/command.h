@@ -8,6 +8,7 @@ namespace stratareeb {
 // Each command file adds its subcommand to the program; its callback runs the command. A callback throws on failure;
 // main turns exceptions into exit codes (0 done, 1 failed, 2 wrong usage). Results go to stdout, messages to stderr.
 void add_build_command(CLI::App& program);
+void add_cells_command(CLI::App& program);
 void add_check_command(CLI::App& program);
 void add_convert_command(CLI::App& program);
 void add_decimate_command(CLI::App& program);
@@ -27,6 +28,8 @@ void add_split_command(CLI::App& program);
 void add_thin_command(CLI::App& program);
 void add_validate_command(CLI::App& program);
 void add_view_command(CLI::App& program);
+void add_volume_command(CLI::App& program);
+void add_voxels_command(CLI::App& program);
 
 //! Thrown by a command that did its work and found a failure to report by exit code 1, its text already printed.
 struct CommandFailed {};

@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
     program.set_version_flag("--version", std::string("stratareeb ") + STRATAREEB_VERSION);
     program.require_subcommand(1);
     add_build_command(program);
+    add_cells_command(program);
     add_check_command(program);
     add_convert_command(program);
     add_decimate_command(program);
@@ -30,6 +31,8 @@ int main(int argc, char** argv) {
     add_thin_command(program);
     add_validate_command(program);
     add_view_command(program);
+    add_volume_command(program);
+    add_voxels_command(program);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
