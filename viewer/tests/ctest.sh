@@ -22,7 +22,7 @@ need node
 case "$1" in
     unit)
         cd "$here"
-        node --test tests/unit/
+        node --test tests/unit/*.test.js
         ;;
     packages)
         need npm
@@ -46,7 +46,7 @@ case "$1" in
         need chromium
         copy_sources
         cd "$folder"
-        STRATAREEB_PROGRAM=$3 STRATAREEB_SOURCE=$here/.. node --test --test-concurrency=1 tests/browser/
+        STRATAREEB_PROGRAM=$3 STRATAREEB_SOURCE=$here/.. node --test tests/browser/*.test.js
         ;;
     *)
         echo "usage: ctest.sh unit|packages|build|browser FOLDER [PROGRAM]" >&2

@@ -11,8 +11,8 @@ const folder = path.resolve('models');
 export const pictures = path.resolve('pictures');
 
 const kTables = {
-  sighthill: ['examples/sighthill/intervals.csv', '--collars', 'examples/sighthill/collars.csv', '--refine', '1'],
-  thesis: ['examples/thesis_sample3.csv', '--refine', '1'],
+  sighthill: ['examples/sighthill/intervals.csv', '--collars', 'examples/sighthill/collars.csv', '--refine', '0'],
+  thesis: ['examples/thesis_sample3.csv', '--refine', '0'],
   teapot: ['../shared/data/teapot_dome/wide_shannon.csv', '--unit', 'ft', '--refine', '0'],
 };
 
