@@ -37,46 +37,61 @@ class LevelCut {
     //! How many horizons lie at the level or above, by vertex: horizons are in order, so it is the first that many.
     void count_above() {
         above_.resize(plan_.n_vertices());
-        for (std::size_t v = 0; v < above_.size(); ++v)
-            while (above_[v] < model_.horizons.size() && model_.horizons[above_[v]][v] >= z_) ++above_[v];
+        for (std::size_t k = 0; k < model_.horizons.size(); ++k)
+            for (std::size_t v = 0; v < above_.size(); ++v) above_[v] += model_.horizons[k][v] >= z_;
     }
 
     static std::size_t index(TriMesh::VertexHandle v) { return static_cast<std::size_t>(v.idx()); }
 
     void cut_face(TriMesh::FaceHandle f) {
         std::size_t fewest = model_.horizons.size(), most = 0;
-        for (const auto v : plan_.fv_range(f)) {
-            fewest = std::min(fewest, above_[index(v)]);
-            most = std::max(most, above_[index(v)]);
+        bool outer = false;
+        for (const auto h : plan_.fh_range(f)) {
+            const std::size_t above = above_[index(plan_.from_vertex_handle(h))];
+            fewest = std::min(fewest, above);
+            most = std::max(most, above);
+            outer |= plan_.is_boundary(plan_.opposite_halfedge_handle(h));
         }
+        if (fewest == most && !outer) return;  // within one layer, or none
         const LayerSet& present = model_.regions.in_face[static_cast<std::size_t>(f.idx())];
         for (std::size_t layer = fewest == 0 ? 0 : fewest - 1; layer < most && layer < borders_.size();
              ++layer)
             if (present[layer]) add_part(f, layer);
     }
 
-    //! The convex part of a triangle in which the layer is at the level, as sides in turn.
+    //! The convex part of a triangle in which the layer is at the level, as sides in turn. Sides along an edge of the plan are those
+    //! of the triangle beyond too, turned round, since what is on an edge is told by its ends alone: they go out at once.
     void add_part(TriMesh::FaceHandle f, std::size_t layer) {
         corners_.clear();
+        on_.clear();
         for (const auto h : plan_.fh_range(f)) {
             const std::size_t u = index(plan_.from_vertex_handle(h)), v = index(plan_.to_vertex_handle(h));
             const auto edge = static_cast<std::uint32_t>(plan_.edge_handle(h).idx());
-            if (above_[u] == layer + 1) push(vertex_corner(u));
+            if (above_[u] == layer + 1) push(vertex_corner(u), h);
             const bool top_at_u = above_[u] > layer, top_at_v = above_[v] > layer;
             const bool base_at_u = above_[u] > layer + 1, base_at_v = above_[v] > layer + 1;
             // From above, the base comes down to the level before the top does; from below, the top rises first.
-            if (base_at_u && !base_at_v) push(crossing(edge, layer + 1));
-            if (top_at_u != top_at_v) push(crossing(edge, layer));
-            if (!base_at_u && base_at_v) push(crossing(edge, layer + 1));
+            if (base_at_u && !base_at_v) push(crossing(edge, layer + 1), h);
+            if (top_at_u != top_at_v) push(crossing(edge, layer), h);
+            if (!base_at_u && base_at_v) push(crossing(edge, layer + 1), h);
         }
         while (corners_.size() > 1 && corners_.front() == corners_.back()) corners_.pop_back();
         if (corners_.size() < 3) return;
-        for (std::size_t i = 0; i < corners_.size(); ++i)
-            borders_[layer].push_back({corners_[i], corners_[(i + 1) % corners_.size()]});
+        for (std::size_t i = 0; i < corners_.size(); ++i) {
+            const std::size_t next = (i + 1) % corners_.size();
+            const auto h = on_[i];
+            const bool along_edge =
+                on_[next] == h || corners_[next] == vertex_corner(index(plan_.to_vertex_handle(h)));
+            if (!along_edge || plan_.is_boundary(plan_.opposite_halfedge_handle(h)))
+                borders_[layer].push_back({corners_[i], corners_[next]});
+        }
     }
 
-    void push(Corner corner) {
-        if (corners_.empty() || corners_.back() != corner) corners_.push_back(corner);
+    //! A corner at the start of a half-edge or on it.
+    void push(Corner corner, TriMesh::HalfedgeHandle h) {
+        if (!corners_.empty() && corners_.back() == corner) return;
+        corners_.push_back(corner);
+        on_.push_back(h);
     }
 
     static Corner vertex_corner(std::size_t v) { return (static_cast<Corner>(v) << 32) | kAtVertex; }
@@ -108,18 +123,9 @@ class LevelCut {
         return {p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)};
     }
 
-    //! Sides that two triangles share go out; what is left surrounds the layer's part of the level.
-    std::vector<Side> outline(std::size_t layer) {
+    std::vector<std::vector<Point2>> rings_of(std::size_t layer) {
         auto& sides = borders_[layer];
         std::ranges::sort(sides);
-        std::vector<Side> left;
-        for (const Side& side : sides)
-            if (!std::ranges::binary_search(sides, Side{side[1], side[0]})) left.push_back(side);
-        return left;
-    }
-
-    std::vector<std::vector<Point2>> rings_of(std::size_t layer) {
-        const auto sides = outline(layer);
         std::vector<Corner> corners;
         for (const Side& side : sides) corners.push_back(side[0]);
         std::ranges::sort(corners);
@@ -146,9 +152,10 @@ class LevelCut {
     const LayerModel& model_;
     const TriMesh& plan_;
     double z_;
-    std::vector<std::size_t> above_;
+    std::vector<std::uint32_t> above_;
     std::vector<Corner> corners_;
-    std::vector<std::vector<Side>> borders_;  // by layer
+    std::vector<TriMesh::HalfedgeHandle> on_;  // of each corner
+    std::vector<std::vector<Side>> borders_;   // by layer
 };
 
 }  // namespace

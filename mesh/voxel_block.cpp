@@ -46,9 +46,11 @@ VoxelBlock voxel_block(const LayerModel& model, double cell, double height) {
     block.units.assign(cells * block.levels, 0);
     // A layer reaches from its base (the level's middle on it included: the upper of two layers) up to below its top;
     // the ground itself belongs to what lies under it.
-    std::vector<double> top = std::move(rasterized(model, block.plan, {&model.horizons[0]})[0]);
+    std::vector<const std::vector<double>*> fields;
+    for (const auto& horizon : model.horizons) fields.push_back(&horizon);
+    const auto horizons = rasterized(model, block.plan, fields);
     for (std::size_t layer = 0; layer < model.units.size(); ++layer) {
-        std::vector<double> base = std::move(rasterized(model, block.plan, {&model.horizons[layer + 1]})[0]);
+        const auto &top = horizons[layer], &base = horizons[layer + 1];
         for (std::size_t c = 0; c < cells; ++c) {
             if (!(top[c] > base[c])) continue;  // absent, or outside
             const double low = base[c] + model.origin.z, high = top[c] + model.origin.z;
@@ -59,7 +61,6 @@ VoxelBlock voxel_block(const LayerModel& model, double cell, double height) {
                 if (unit == 0) unit = static_cast<std::uint16_t>(layer + 1);
             }
         }
-        top = std::move(base);
     }
     return block;
 }
