@@ -23,13 +23,6 @@ PlanFrame isotropic_frame(const PlanFrame& frame, const Variogram& v) {
     return frame.then(c, s, -s / v.ratio, c / v.ratio);
 }
 
-// The range of the structure that stands for the nugget. In clusters the median gap is far below the mean one, and would make
-// needles of lone holes' values; a range above half of the mean gap costs accuracy at left-out holes.
-double micro_range_of(std::span<const Point2> at) {
-    const double mean_gap = extent_of(at) / std::sqrt(2.0 * static_cast<double>(at.size()));
-    return std::max(median_gap(at), mean_gap / 2);
-}
-
 void check(const Variogram& v) {
     const bool sound = v.nugget >= 0 && v.sill >= 0 && v.nugget + v.sill > 0 && v.range > 0 && v.ratio > 0 &&
                        std::isfinite(v.nugget + v.sill + v.range + v.ratio + v.angle);
@@ -74,7 +67,7 @@ Kriging::FieldModel Kriging::model_of(const FieldSites& sites) const {
     model.frame = isotropic_frame(sites.frame, v);
     model.honours_values = !filter_nugget_ || v.nugget == 0;
     const FieldSites stretched = in_frame(sites, holes().sites(), model.frame);
-    const double micro_range = filter_nugget_ ? 0 : micro_range_of(stretched.at);
+    const double micro_range = filter_nugget_ ? 0 : median_gap(stretched.at);
     model.radial = {covariance_kernel(v, micro_range), drift_, filter_nugget_ ? v.nugget : 0};
     return model;
 }

@@ -10,7 +10,7 @@ namespace stratareeb {
 //! each field (fit_variogram.h) unless one is given.
 //!
 //! A nugget would make the surface jump at every hole. By default it is taken as what it mostly is, change over less than the
-//! holes' distance: a structure of the range of the sites' gaps, so the surface passes through the values smoothly and
+//! holes' distance: a structure of the range of the median gap between sites, so the surface passes through the values smoothly and
 //! is elsewhere what kriging with a nugget gives. With `filter_nugget` it passes beside them.
 class Kriging : public RadialInterpolator {
  public:
