@@ -89,21 +89,25 @@ bool BuildArguments::wants(const std::string& format) const {
 }
 
 std::map<std::string, std::string> BuildArguments::record() const {
-    return {{"tables", fmt::format("{}", fmt::join(table.tables, ", "))},
-            {"collars", table.read.collars},
-            {"ground", ground},
-            {"footprint", footprint},
-            {"spacing", spacing},
-            {"interpolator", interpolator},
-            {"pinch_out", pinch_out},
-            {"refine", refine},
-            {"step", step == StepKind::Smooth ? "smooth" : "faceted"},
-            {"decimate", decimate < 0 ? "" : fmt::format("{}", decimate)},
-            {"decimate_to", decimate_to == 0 ? "" : fmt::format("{}", decimate_to)},
-            {"order", fmt::format("{}", fmt::join(table.read.order, ","))},
-            {"repeats", table.read.repeats == RepeatRule::Absorb ? "absorb" : "split"},
-            {"unit", table.read.length_unit},
-            {"formats", fmt::format("{}", fmt::join(formats, ","))}};
+    std::map<std::string, std::string> words{
+        {"tables", fmt::format("{}", fmt::join(table.tables, ", "))},
+        {"collars", table.read.collars},
+        {"ground", ground},
+        {"footprint", footprint},
+        {"spacing", spacing},
+        {"interpolator", interpolator},
+        {"pinch_out", pinch_out},
+        {"refine", refine},
+        {"step", step == StepKind::Smooth ? "smooth" : "faceted"},
+        {"decimate", decimate < 0 ? "" : fmt::format("{}", decimate)},
+        {"decimate_to", decimate_to == 0 ? "" : fmt::format("{}", decimate_to)},
+        {"order", fmt::format("{}", fmt::join(table.read.order, ","))},
+        {"repeats", table.read.repeats == RepeatRule::Absorb ? "absorb" : "split"},
+        {"unit", table.read.length_unit},
+        {"formats", fmt::format("{}", fmt::join(formats, ","))}};
+    if (const std::string text = rules.record(); !text.empty()) words["rules"] = text;
+    if (!faults.empty()) words["faults"] = faults;
+    return words;
 }
 
 void add_build_options(CLI::App& command, BuildArguments& arguments) {
@@ -158,6 +162,9 @@ void add_build_options(CLI::App& command, BuildArguments& arguments) {
                     "Where a layer ends between a hole that lacks it and one that has it")
         ->check(CLI::IsMember({"at-hole", "quarter", "third", "half"}))
         ->capture_default_str();
+    add_rule_options(command, arguments.rules);
+    command.add_option("--faults", arguments.faults,
+                       "Lines of vertical faults in plan (GeoJSON, GeoPackage, DXF, CSV with WKT, …)");
     command
         .add_option("--footprint", arguments.footprint, "Plan outline: hull, box, or a file with a polygon")
         ->capture_default_str();

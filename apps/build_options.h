@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/rule_options.h"
 #include "io/read_boreholes.h"
 #include "io/write_step.h"
 #include "mesh/layer_model.h"
@@ -25,6 +26,8 @@ int suitable_refinement(std::size_t holes);
 //! Options of `build`.
 struct BuildArguments {
     TableArguments table;
+    RuleArguments rules;
+    std::string faults;
     std::string output, ground, footprint = "hull", spacing = "auto",
                                 interpolator{name_of(kDefaultInterpolator)}, pinch_out = "half",
                                 refine = "auto";

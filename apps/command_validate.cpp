@@ -35,6 +35,7 @@ namespace {
 
 struct ValidateArguments {
     TableArguments table;
+    RuleArguments rules;
     std::string output, ground, pinch_out = "half", truth, plots = "svg";
     std::vector<std::string> interpolators{std::string(name_of(kDefaultInterpolator))};
     std::size_t folds = 10, at_a_time = 0, suggestions = 5;
@@ -136,6 +137,7 @@ class Validate {
         ValidationOptions options;
         options.hold_out.prediction.interpolator = kind;
         options.hold_out.prediction.pinch_out = pinch_out_rule(arguments_.pinch_out);
+        options.hold_out.prediction.rules = arguments_.rules.of(survey.units);
         options.hold_out.prediction.terrain = terrain();
         options.hold_out.bare = arguments_.bare;
         options.hold_out.progress = [this, kind](double share) {
@@ -361,6 +363,7 @@ void add_validate_command(CLI::App& program) {
     CLI::App* command =
         program.add_subcommand("validate", "Hold-out tests: how well boreholes predict boreholes");
     add_table_options(*command, arguments->table);
+    add_rule_options(*command, arguments->rules);
     add_hold_out_options(*command, *arguments);
     add_model_options(*command, *arguments);
     command->add_option(

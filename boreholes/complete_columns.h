@@ -8,6 +8,7 @@
 
 #include "boreholes/borehole.h"
 #include "boreholes/interpolator.h"
+#include "boreholes/layer_rules.h"
 #include "boreholes/pinch_out.h"
 
 namespace stratareeb {
@@ -25,6 +26,7 @@ struct CompletionOptions {
     PinchOutRule pinch_out;
     //! Elevation of a terrain model; gives the ground where a hole does not.
     std::function<std::optional<double>(const Point2&)> terrain;
+    LayerRules rules = {};  // for rule_columns; complete_columns takes all units as conformable
 };
 
 //! Predict what holes don't know from those that do, layer by layer:

@@ -42,20 +42,24 @@ double PredictedColumns::horizon(std::size_t k, std::size_t place) const {
 }
 
 ColumnPredictor::ColumnPredictor(const Survey& survey, const CompletionOptions& options, bool bare)
-    : options_(options), columns_(complete_columns(survey, options)) {
+    : options_(options) {
+    if (options.rules.any()) rules_ = rule_columns(survey, options);
+    columns_ = options.rules.any() ? rules_.columns : complete_columns(survey, options);
     origin_ = columns_.sites.front();
     columns_.sites = shifted(columns_.sites, origin_);
     const double thinnest = kThinnest * size_of(columns_);
     for (auto& layer : columns_.thickness)
         for (double& t : layer)
             if (t < thinnest) t = 0;
+    if (options.rules.any()) drop_thinner(rules_, thinnest);
 
     const auto plain = std::make_shared<const HoleTriangulation>(columns_.sites);
     holes_ = bare ? plain : std::make_shared<const HoleTriangulation>(columns_.sites, kHullSliver);
     const bool smooth = options.interpolator != InterpolatorKind::Linear;
     sites_ = smooth && !holes_->is_flat() ? holes_ : plain;
-    field_ = std::make_unique<ThicknessField>(holes_, columns_.thickness, options.pinch_out,
-                                              make_interpolator(options.interpolator, sites_));
+    field_ =
+        std::make_unique<ThicknessField>(holes_, options.rules.any() ? rules_.thickness : columns_.thickness,
+                                         options.pinch_out, make_interpolator(options.interpolator, sites_));
 }
 
 std::optional<double> ColumnPredictor::terrain(const Point2& local) const {
@@ -79,11 +83,24 @@ std::vector<double> ColumnPredictor::ground(std::span<const Point2> local) const
     return std::move(fields[0]);
 }
 
+std::vector<std::vector<double>> ColumnPredictor::ruled(std::span<const Point2> local,
+                                                        std::span<const double> ground) const {
+    std::vector<std::vector<double>> result(field_->layers(), std::vector<double>(local.size()));
+    const auto interpolator = make_interpolator(options_.interpolator, sites_);
+    const std::vector<UncutColumn> uncut = uncut_columns(rules_, *field_, *interpolator, local, ground);
+    for (std::size_t p = 0; p < local.size(); ++p) {
+        std::vector<double> thickness = stacked_thicknesses(uncut[p], rules_.sequences);
+        apply_minimum(thickness, options_.rules);
+        for (std::size_t i = 0; i < thickness.size(); ++i) result[i][p] = thickness[i];
+    }
+    return result;
+}
+
 PredictedColumns ColumnPredictor::at(std::span<const Point2> where) const {
     const std::vector<Point2> local = shifted(where, origin_);
     PredictedColumns result;
     result.ground = ground(local);
-    result.thickness = field_->predict(local);
+    result.thickness = options_.rules.any() ? ruled(local, result.ground) : field_->predict(local);
     for (auto& layer : result.thickness)
         for (double& t : layer) t = std::max(t, 0.0);
     for (const PlanLocation& location : holes_->locate(local))

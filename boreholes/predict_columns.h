@@ -8,6 +8,7 @@
 
 #include "boreholes/borehole.h"
 #include "boreholes/complete_columns.h"
+#include "boreholes/rule_columns.h"
 #include "boreholes/thickness_field.h"
 
 namespace stratareeb {
@@ -23,7 +24,7 @@ struct PredictedColumns {
 };
 
 //! What a layer model of a survey says at any place, without a mesh: the holes' columns are completed, then the ground and
-//! the thickness of every layer are predicted from them.
+//! the thickness of every layer are predicted from them, and layers are cut by options.rules.
 class ColumnPredictor {
  public:
     //! `bare`: on the plain Delaunay triangulation of the holes, as the thesis does and as models without spacing are
@@ -37,12 +38,15 @@ class ColumnPredictor {
     const std::vector<std::string>& notes() const { return columns_.notes; }
 
  private:
+    std::vector<std::vector<double>> ruled(std::span<const Point2> local,
+                                           std::span<const double> ground) const;
     std::vector<double> ground(std::span<const Point2> local) const;
     std::optional<double> terrain(const Point2& local) const;
 
     Point2 origin_;  // coordinates are predicted in relative to it, for their last digits' sake
     CompletionOptions options_;
     CompleteColumns columns_;  // relative to origin_
+    RuleColumns rules_;        // empty without rules
     std::shared_ptr<const HoleTriangulation> holes_, sites_;
     std::unique_ptr<ThicknessField> field_;
 };

@@ -25,6 +25,11 @@ double ThicknessField::share(std::size_t layer, const PlanLocation& location) co
     return lack == 0 ? 1.0 : have;
 }
 
+double ThicknessField::taper(std::size_t layer, const PlanLocation& location) const {
+    const double inside = share(layer, location);
+    return inside < 1 ? std::max(0.0, (inside - rule_.fraction) / (1 - rule_.fraction)) : 1.0;
+}
+
 bool ThicknessField::is_present(std::size_t layer, const PlanLocation& location) const {
     return share(layer, location) > rule_.fraction;
 }

@@ -33,6 +33,8 @@ class ThicknessField {
 
     bool has(std::size_t layer, std::size_t site) const { return present_[layer][site] != 0; }
     double share(std::size_t layer, const PlanLocation& location) const;
+    //! How far the layer has come from its pinch-out line: 0 on it and beyond, 1 amid holes that have the layer.
+    double taper(std::size_t layer, const PlanLocation& location) const;
     //! Strictly inside the pinch-out line.
     bool is_present(std::size_t layer, const PlanLocation& location) const;
 

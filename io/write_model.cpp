@@ -40,6 +40,12 @@ Json unit_json(const LayerModel& model, std::size_t i, const UnitSummary& summar
             {"holes_at_least", summary.holes_at_least}};
 }
 
+//! Solids of a faulted model: `solid` is the one of the first block that has the layer.
+void set_solids(Json& unit, const std::vector<std::string>& solids) {
+    unit["solid"] = solids.empty() ? Json() : Json(solids.front());
+    unit["solids"] = solids;
+}
+
 Json smoothness_json(const SmoothnessReport& report) {
     const auto values = [](const Smoothness& s) {
         return Json{{"largest_jump_deg", s.largest_jump_deg}, {"bending_energy", s.bending_energy}};
@@ -83,6 +89,10 @@ std::string model_json(const LayerModel& model, const Survey& survey, const Mode
     json["units"] = Json::array();
     for (std::size_t i = 0; i < record.units.size(); ++i)
         json["units"].push_back(unit_json(model, i, record.units[i]));
+    if (!model.seams.empty()) {
+        json["fault_blocks"] = model.seams.blocks;
+        for (std::size_t i = 0; i < record.solids.size(); ++i) set_solids(json["units"][i], record.solids[i]);
+    }
     json["checks"] = Json::array();
     for (const auto& check : record.checks)
         json["checks"].push_back({{"name", check.name}, {"ok", check.ok}, {"detail", check.detail}});

@@ -22,6 +22,8 @@ struct ModelRecord {
     std::map<std::string, std::string> options;       // as used, by name
     std::vector<std::string> files;                   // all files of the folder, relative
     std::optional<SmoothnessReport> smoothness = {};  // of refined surfaces
+    //! By unit, the files of its solids where a model has faults: one a block.
+    std::vector<std::vector<std::string>> solids = {};
 };
 
 //! Two digits or more, an underscore and the name in letters that any file system takes: "03_made_ground".

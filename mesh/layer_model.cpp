@@ -13,6 +13,7 @@
 #include "boreholes/errors.h"
 #include "boreholes/thickness_field.h"
 #include "mesh/compensated_sum.h"
+#include "mesh/cut_layers.h"
 
 namespace stratareeb {
 
@@ -37,16 +38,15 @@ double round_origin(double low, double high) {
     return std::floor(low / step) * step;
 }
 
-Point3 suitable_origin(const CompleteColumns& columns) {
-    const auto [x0, x1] = std::ranges::minmax(columns.sites, {}, &Point2::x);
-    const auto [y0, y1] = std::ranges::minmax(columns.sites, {}, &Point2::y);
-    const auto [z0, z1] = std::ranges::minmax(columns.ground);
-    return {round_origin(x0.x, x1.x), round_origin(y0.y, y1.y), round_origin(z0, z1)};
-}
-
 void shift(CompleteColumns& columns, const Point3& origin) {
     for (Point2& p : columns.sites) p = {p.x - origin.x, p.y - origin.y};
     for (double& z : columns.ground) z -= origin.z;
+}
+
+void shift(RuleColumns& rules, const Point3& origin, double thinnest) {
+    drop_thinner(rules, thinnest);
+    for (auto& anchor : rules.anchor)
+        for (double& z : anchor) z -= origin.z;
 }
 
 Footprint shifted(Footprint footprint, const Point3& origin) {
@@ -159,14 +159,25 @@ void set_horizons(LayerModel& model, std::vector<double> ground, std::vector<std
 
 }  // namespace
 
+Point3 suitable_origin(const std::vector<Point2>& sites, const std::vector<double>& ground) {
+    const auto [x0, x1] = std::ranges::minmax(sites, {}, &Point2::x);
+    const auto [y0, y1] = std::ranges::minmax(sites, {}, &Point2::y);
+    const auto [z0, z1] = std::ranges::minmax(ground);
+    return {round_origin(x0.x, x1.x), round_origin(y0.y, y1.y), round_origin(z0, z1)};
+}
+
 LayerModel build_layer_model(const Survey& survey, const LayerModelOptions& options) {
     LayerModel model;
     model.units = survey.units;
     model.length_unit = survey.length_unit;
     report(options, "completing the holes' columns", 0);
-    model.columns = complete_columns(survey, {options.interpolator, options.pinch_out, options.terrain});
+    const CompletionOptions completion{options.interpolator, options.pinch_out, options.terrain,
+                                       options.rules};
+    const bool ruled = options.rules.any();
+    RuleColumns rules = ruled ? rule_columns(survey, completion) : RuleColumns{};
+    model.columns = ruled ? rules.columns : complete_columns(survey, completion);
     model.notes = model.columns.notes;
-    model.origin = suitable_origin(model.columns);
+    model.origin = options.origin.value_or(suitable_origin(model.columns.sites, model.columns.ground));
     shift(model.columns, model.origin);
 
     const auto holes = std::make_shared<const HoleTriangulation>(model.columns.sites);
@@ -176,6 +187,10 @@ LayerModel build_layer_model(const Survey& survey, const LayerModelOptions& opti
     for (auto& layer : model.columns.thickness)
         for (double& t : layer)
             if (t < thinnest) t = 0;
+    if (ruled) {
+        shift(rules, model.origin, thinnest);
+        model.columns.thickness = rules.columns.thickness;
+    }
 
     model.spacing =
         options.spacing.value_or(options.spacing_factor * suitable_spacing(footprint, survey.holes.size()));
@@ -185,7 +200,7 @@ LayerModel build_layer_model(const Survey& survey, const LayerModelOptions& opti
     // Other predictions keep off the flat triangles along the hull too; the linear ones are what they are.
     const bool smooth = options.interpolator != InterpolatorKind::Linear;
     const auto sites = smooth && !outline->is_flat() ? outline : holes;
-    const ThicknessField field(outline, model.columns.thickness, options.pinch_out,
+    const ThicknessField field(outline, ruled ? rules.thickness : model.columns.thickness, options.pinch_out,
                                make_interpolator(options.interpolator, sites));
     const bool beyond_hull = options.footprint || !bare;
     PlanLines lines = pinch_lines(field, beyond_hull ? reach_beyond_hull(footprint, model.columns.sites) : 0);
@@ -200,12 +215,19 @@ LayerModel build_layer_model(const Survey& survey, const LayerModelOptions& opti
     report(options, "meshing the plan", 0);
     model.plan = build_plan_mesh(footprint, model.columns.sites, lines, plan_options);
     report(options, "finding the layers' regions", 0);
-    model.regions = build_layer_regions(model.plan, field, {.opening = bare ? kBareOpening : kSpacedOpening});
+    const double opening = bare ? kBareOpening : kSpacedOpening;
+    model.regions = build_layer_regions(model.plan, field, {.opening = opening});
 
     report(options, "predicting horizons", 0);
     const std::vector<Point2> where = plan_points(model.plan.surface);
     std::vector<double> ground = ground_at(where, model, sites, options);
-    set_horizons(model, std::move(ground), field.predict(where), thinnest);
+    if (ruled)
+        cut_layers(
+            model, rules.sequences, options.rules,
+            uncut_columns(rules, field, *make_interpolator(options.interpolator, sites), where, ground),
+            thinnest, opening);
+    else
+        set_horizons(model, std::move(ground), field.predict(where), thinnest);
     report(options, "predicting horizons", 1);
     return model;
 }

@@ -18,6 +18,7 @@ using Face = TriMesh::FaceHandle;
 
 constexpr double kOnLine = 1e-9;  // a share as close as that to the rule's fraction is on the pinch-out line
 constexpr int kMaxRounds = 64;    // cut, open, cut again: two or three suffice
+constexpr int kRingRounds = 6;    // from then on, layers are left out of whole triangles instead of rings
 
 Point2 plan_point(const TriMesh& mesh, Vertex v) {
     return {mesh.point(v)[0], mesh.point(v)[1]};
@@ -27,11 +28,26 @@ std::size_t index(OpenMesh::BaseHandle handle) {
     return static_cast<std::size_t>(handle.idx());
 }
 
+std::uint32_t number(OpenMesh::BaseHandle handle) {
+    return static_cast<std::uint32_t>(handle.idx());
+}
+
 class Regions {
  public:
     Regions(PlanMesh& plan, const ThicknessField& field, double opening)
-        : mesh_(plan.surface), field_(field), opening_(opening) {
+        : mesh_(plan.surface), field_(&field), opening_(opening) {
         for (std::size_t i = 0; i < field.layers(); ++i) all_.set(i);
+    }
+
+    //! Of known regions, without a field that says more.
+    Regions(PlanMesh& plan, LayerRegions known, std::size_t layers, const LayerRegionsOptions& options)
+        : mesh_(plan.surface),
+          opening_(options.opening),
+          on_vertex_(options.on_vertex),
+          present_(std::move(known.in_face)),
+          on_line_(std::move(known.zero_at)),
+          opened_(known.opened) {
+        for (std::size_t i = 0; i < layers; ++i) all_.set(i);
     }
 
     void label() {
@@ -40,16 +56,16 @@ class Regions {
             const auto c = mesh_.calc_face_centroid(f);
             centres.push_back({c[0], c[1]});
         }
-        for (const PlanLocation& l : field_.holes().locate(centres)) present_.push_back(layers_present(l));
+        for (const PlanLocation& l : field_->holes().locate(centres)) present_.push_back(layers_present(l));
         for (const Vertex v : mesh_.vertices()) corners.push_back(plan_point(mesh_, v));
-        for (const PlanLocation& l : field_.holes().locate(corners))
+        for (const PlanLocation& l : field_->holes().locate(corners))
             on_line_.push_back(layers_on_line_or_beyond(l));
     }
 
     void make_manifold() {
         for (int round = 0; round < kMaxRounds; ++round) {
             cut_chords();
-            if (!open_pinched_vertices()) return cut_flat_faces();
+            if (!open_pinched_vertices(round < kRingRounds)) return cut_flat_faces();
         }
         throw GeometryError(
             "pinch-out lines lie too close to one another (give a smaller --spacing or another --pinch-out)");
@@ -66,15 +82,19 @@ class Regions {
  private:
     LayerSet layers_present(const PlanLocation& l) const {
         LayerSet set;
-        for (std::size_t i = 0; i < field_.layers(); ++i) set[i] = field_.is_present(i, l);
+        for (std::size_t i = 0; i < field_->layers(); ++i) set[i] = field_->is_present(i, l);
         return set;
     }
 
     LayerSet layers_on_line_or_beyond(const PlanLocation& l) const {
         LayerSet set;
-        for (std::size_t i = 0; i < field_.layers(); ++i)
-            set[i] = field_.share(i, l) <= field_.rule().fraction + kOnLine;
+        for (std::size_t i = 0; i < field_->layers(); ++i)
+            set[i] = field_->share(i, l) <= field_->rule().fraction + kOnLine;
         return set;
+    }
+
+    LayerSet layers_on_line_or_beyond(const Point2& at) const {
+        return field_ ? layers_on_line_or_beyond(field_->holes().locate(std::span(&at, 1))[0]) : LayerSet();
     }
 
     LayerSet around(Vertex v) const {
@@ -99,9 +119,15 @@ class Regions {
     }
 
     Vertex add_vertex(const TriMesh::Point& p) {
-        const Point2 at{p[0], p[1]};
-        on_line_.push_back(layers_on_line_or_beyond(field_.holes().locate(std::span(&at, 1))[0]));
+        on_line_.push_back(layers_on_line_or_beyond(Point2{p[0], p[1]}));
         return mesh_.add_vertex(p);
+    }
+
+    void report(Vertex v, Vertex a, Vertex b) const {
+        if (!on_vertex_) return;
+        const double share =
+            (mesh_.point(v) - mesh_.point(a)).norm() / (mesh_.point(b) - mesh_.point(a)).norm();
+        on_vertex_({number(v), {{number(a), 1 - share}, {number(b), share}}});
     }
 
     //! New triangles take over the layers of the one they were part of.
@@ -114,7 +140,9 @@ class Regions {
             left_corner = mesh_.to_vertex_handle(mesh_.next_halfedge_handle(h));
         }
         if (!mesh_.is_boundary(o)) right = present_[index(mesh_.face_handle(o))];
+        const auto [a, b] = ends(e);
         const Vertex v = add_vertex(p);
+        report(v, a, b);
         mesh_.split(e, v);
         for (std::size_t f = present_.size(); f < mesh_.n_faces(); ++f) {
             bool on_left = false;
@@ -138,8 +166,7 @@ class Regions {
             candidates &= zero_at(b);
             if (candidates.none()) continue;
             const TriMesh::Point middle = mesh_.calc_edge_midpoint(edge);
-            const Point2 at{middle[0], middle[1]};
-            if ((candidates & ~layers_on_line_or_beyond(field_.holes().locate(std::span(&at, 1))[0])).any())
+            if ((candidates & ~layers_on_line_or_beyond(Point2{middle[0], middle[1]})).any())
                 split(edge, middle);
         }
     }
@@ -153,6 +180,11 @@ class Regions {
             if (flat.none()) continue;
             const Vertex centre = add_vertex(mesh_.calc_face_centroid(face));
             const LayerSet layers = present_[f];
+            if (on_vertex_) {
+                VertexMean mean{number(centre), {}};
+                for (const Vertex v : mesh_.fv_range(face)) mean.of.emplace_back(number(v), 1.0 / 3);
+                on_vertex_(mean);
+            }
             mesh_.split(face, centre);
             present_.resize(mesh_.n_faces(), layers);
         }
@@ -178,14 +210,19 @@ class Regions {
         return zero & (twice | all_around | inner_zero);
     }
 
-    bool open_pinched_vertices() {
+    bool open_pinched_vertices(bool with_rings) {
         bool any = false;
         const std::size_t count = mesh_.n_vertices();
         for (std::size_t v = 0; v < count; ++v) {
             const Vertex vertex(static_cast<int>(v));
             if (zero_at(vertex).none()) continue;
             const LayerSet pinched = pinched_at(vertex);
-            if (pinched.any()) open(vertex, pinched), any = true;
+            if (pinched.none()) continue;
+            any = true;
+            if (with_rings)
+                open(vertex, pinched);
+            else
+                leave_out_around(vertex, pinched);
         }
         return any;
     }
@@ -202,12 +239,17 @@ class Regions {
                 split(mesh_.edge_handle(mesh_.find_halfedge(v, u)), from + 2 * opening_ * (to - from));
             split(mesh_.edge_handle(mesh_.find_halfedge(v, outer)), from + opening_ * (to - from));
         }
+        leave_out_around(v, layers);
+    }
+
+    void leave_out_around(Vertex v, const LayerSet& layers) {
         for (const Face f : mesh_.vf_range(v)) present_[index(f)] &= ~layers;
     }
 
     TriMesh& mesh_;
-    const ThicknessField& field_;
+    const ThicknessField* field_ = nullptr;
     double opening_;
+    std::function<void(const VertexMean&)> on_vertex_;
     LayerSet all_;
     std::vector<LayerSet> present_;  // by face
     std::vector<LayerSet>
@@ -227,6 +269,13 @@ LayerRegions build_layer_regions(PlanMesh& plan, const ThicknessField& field,
     regions.label();
     regions.make_manifold();
     return regions.take();
+}
+
+void mend_layer_regions(PlanMesh& plan, LayerRegions& known, std::size_t layers,
+                        const LayerRegionsOptions& options) {
+    Regions regions(plan, std::move(known), layers, options);
+    regions.make_manifold();
+    known = regions.take();
 }
 
 }  // namespace stratareeb

@@ -3,6 +3,9 @@
 
 #include <bitset>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "boreholes/thickness_field.h"
@@ -21,10 +24,18 @@ struct LayerRegions {
     std::size_t opened = 0;         // vertices around which a layer was opened
 };
 
+//! A vertex as a mean of others: of two along an edge, of three in a triangle.
+struct VertexMean {
+    std::uint32_t vertex = 0;
+    std::vector<std::pair<std::uint32_t, double>> of;
+};
+
 struct LayerRegionsOptions {
     //! Where a body would touch itself at a hole that lacks the layer, the layer is left out around the hole
     //! up to this share of the way to the next vertices, and is itself again at twice that share.
     double opening = 0.25;
+    //! Called for each vertex that mend_layer_regions adds, in order.
+    std::function<void(const VertexMean&)> on_vertex = {};
 };
 
 //! Read each layer's region off the plan mesh, whose edges hold the pinch-out lines, and cut triangles where
@@ -36,5 +47,10 @@ struct LayerRegionsOptions {
 //! \throw InvalidInput beyond kMaxLayers; GeometryError if that does not come to an end.
 LayerRegions build_layer_regions(PlanMesh& plan, const ThicknessField& field,
                                  const LayerRegionsOptions& options = {});
+
+//! The same cuts where regions are known: zero_at and in_face are given, and grow with the mesh. A vertex added within a
+//! layer's region has thickness there.
+void mend_layer_regions(PlanMesh& plan, LayerRegions& regions, std::size_t layers,
+                        const LayerRegionsOptions& options = {});
 
 }  // namespace stratareeb

@@ -13,6 +13,7 @@ namespace stratareeb {
 //! coordinates. A layer that is absent everywhere has an empty surface.
 struct LayerSolid {
     std::size_t order = 0;  // 1 = top layer
+    std::size_t block = 0;  // 1 = first block of a faulted model; 0 = all, or no faults
     Unit unit;
     TriMesh surface;  // closed, 2-manifold, outward, vertex normals set
 };

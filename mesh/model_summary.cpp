@@ -141,6 +141,29 @@ UnitSummary summarize_unit(const LayerModel& model, const LayerSolid& solid, con
     return summary;
 }
 
+UnitSummary summarize_unit(const LayerModel& model, std::size_t layer, const std::vector<LayerSolid>& solids,
+                           const Survey& survey) {
+    if (solids.size() == 1 && solids[0].block == 0) return summarize_unit(model, solids[0], survey);
+    UnitSummary summary;
+    count_holes(summary, layer, survey);
+    CompensatedSum volume, area;
+    for (const LayerSolid& solid : solids) {
+        const MeshReport report = analyze(solid.surface);
+        summary.triangles += solid.surface.n_faces();
+        volume.add(report.volume);
+        area.add(report.area);
+        summary.components += report.components;
+        summary.genus += report.genus.value_or(0);
+        summary.watertight &= report.watertight;
+        for (const std::string& problem : report.problems)
+            summary.problems.push_back(fmt::format("block {}: {}", solid.block, problem));
+    }
+    summary.volume = volume.value();
+    summary.area = area.value();
+    measure_in_plan(summary, model, layer);
+    return summary;
+}
+
 Misfit misfit_of(const LayerModel& model, const Survey& survey) {
     Misfit misfit;
     CompensatedSum squares;

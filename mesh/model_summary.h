@@ -39,6 +39,10 @@ struct Misfit {
 //! Measure one solid and count what the holes say of its layer.
 UnitSummary summarize_unit(const LayerModel& model, const LayerSolid& solid, const Survey& survey);
 
+//! The same of a layer's solids in all blocks of a faulted model; of none, a layer that is absent everywhere.
+UnitSummary summarize_unit(const LayerModel& model, std::size_t layer, const std::vector<LayerSolid>& solids,
+                           const Survey& survey);
+
 //! Contacts of holes inside the footprint against the horizons at their places.
 Misfit misfit_of(const LayerModel& model, const Survey& survey);
 
