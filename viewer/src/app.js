@@ -14,9 +14,10 @@ import { roundUp } from './level_lines.js';
 import { grouped } from './model.js';
 import { layerColors } from './palette.js';
 import { download, pictureOf } from './picture.js';
-import { PlanGrid } from './plan_grid.js';
+import { PlanGrid, columnAt } from './plan_grid.js';
 import { Pointer } from './pointer.js';
 import { opacityOf, toFragment } from './settings.js';
+import { h } from './ui.js';
 
 const kFlat = 0.22; // of its length that a model's height should look like
 
@@ -62,6 +63,8 @@ export class App {
     this.graphView = new GraphView(this.layersView, this.clip);
     this.frameView = new FrameView(this.overlay.ticks);
     this.handle = new CutHandle(this, this.overlay.knobs);
+    this.holeTag = h('span', { class: 'hole-tag', hidden: true });
+    this.overlay.labels.append(this.holeTag);
     this.pointer = new Pointer(this, stage, this.overlay.labels);
     this.halves = [null, { view: this.layersView, grid: model.grid }];
     const views = [this.layersView, this.holesView, this.contoursView, this.graphView, this.frameView, this.handle, this.pointer];
@@ -225,7 +228,19 @@ export class App {
     this.handle.follow(project);
     this.pointer.follow(project);
     this.frameView.label(project, this.settings.values.frame && !this.stage.split);
+    this.#followHole(project);
     this.afterFrame?.();
+  }
+
+  /** A tag at the head of the borehole whose log is shown. */
+  #followHole(project) {
+    const hole = this.holes[this.settings.values.hole];
+    this.holeTag.hidden = !hole || hole.top === null;
+    if (this.holeTag.hidden) return;
+    const [x, y, inFront] = project([hole.x, hole.y, hole.top + this.lift[0]], 1);
+    this.holeTag.hidden = !inFront;
+    this.holeTag.textContent = hole.id;
+    this.holeTag.style.transform = `translate(${x.toFixed(1)}px,${y.toFixed(1)}px) translate(-50%,-165%)`;
   }
 
   onGraph(listener) {
@@ -273,7 +288,7 @@ export class App {
     const { point, layer } = found;
     const at = [0, 1, 2].map((axis) => [['x', 'y', 'z'][axis], this.model.coordinate(point[axis], axis)]);
     if (found.kind === 'hole') return [['hole', this.holeLabel(found.column)], ...at];
-    const column = this.model.column(point[0], point[1]);
+    const column = columnAt((this.halves[found.half] ?? this.halves[1]).grid, point[0], point[1]);
     const facts = column
       ? [['thickness', `${(column[layer] - column[layer + 1]).toFixed(2)} ${this.lengthUnit}`], ['depth', `${Math.max(0, column[0] - point[2]).toFixed(2)} ${this.lengthUnit}`]]
       : [];

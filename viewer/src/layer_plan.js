@@ -123,12 +123,14 @@ export class LayerPlan {
 
   /** All triangles of a layer's solid in the program's order: tops, bases, walls; three vertices each. */
   solidIndex(layer) {
+    if (this.lastSolid?.layer === layer) return this.lastSolid.index;
     const tops = this.trianglesOf(layer);
     const walls = this.#wallIndex(layer);
     const index = new Uint32Array(2 * tops.length + walls.length);
     index.set(tops);
     tops.forEach((v, i) => (index[tops.length + i] = this.baseOf(layer, v)));
     index.set(walls, 2 * tops.length);
+    this.lastSolid = { layer, index };
     return index;
   }
 

@@ -29,8 +29,19 @@ function keepAddress(app) {
   addEventListener('hashchange', () => openFragment(app, location.hash));
 }
 
-function openFragment(app, fragment) {
+/** What an address says, as far as this model has it. */
+function saidOf(model, fragment) {
   const said = fromFragment(fragment);
+  const isLayer = (i) => Number.isInteger(i) && i >= 0 && i < model.units.length;
+  if (said.hidden) said.hidden = said.hidden.filter(isLayer);
+  if (said.reeb && said.reeb !== 'layered' && !model.graphs.layers[said.reeb]) said.reeb = 'off';
+  if (said.contours && said.contours !== 'solids' && !isLayer(Number(said.contours) - 1) && said.contours !== '0') said.contours = 'off';
+  if (said.hole !== undefined && !model.holes[said.hole]) said.hole = -1;
+  return said;
+}
+
+function openFragment(app, fragment) {
+  const said = saidOf(app.model, fragment);
   app.settings.set({ ...app.settings.base, ...said });
   if (said.camera) app.stage.setCameraState(said.camera);
   else app.stage.show('oblique');
@@ -45,7 +56,7 @@ async function open() {
   place.replaceChildren(shell.view, shell.side);
   const stage = new Stage(shell.canvas);
   const settings = new Settings({ exaggeration: suitableExaggeration(model.plan.box) });
-  const said = fromFragment(location.hash);
+  const said = saidOf(model, location.hash);
   settings.set(said);
   const app = new App(model, settings, stage, shell.overlay);
   fillShell(app, new Bindings(settings), shell);

@@ -225,6 +225,7 @@ test('a borehole says its interval under the pointer and shows its log when clic
   assert.equal(await page.locator('.card h2').first().textContent(), 'GBH04');
   const rows = await page.locator('.card tbody tr').allTextContents();
   assert.deepEqual(rows, ['topsoil0.000.70', 'made_ground0.706.40', 'clay6.4010.00', 'rock10.00>11.20']);
+  assert.equal(await page.locator('.hole-tag').textContent(), 'GBH04');
   await keep('log');
   await page.keyboard.press('Escape');
   assert.equal(await page.locator('.card:not(.help)').isVisible(), false);
@@ -296,7 +297,7 @@ test('a typed position is a map coordinate', async () => {
 test('the handle drags the cut', async () => {
   await reset();
   await set({ cut: 'x', cutAt: 0.5 });
-  await page.waitForTimeout(100);
+  await picture(); // the handle is placed with the frame
   const knob = await page.locator('.knob').boundingBox();
   const [x, y] = [knob.x + knob.width / 2, knob.y + knob.height / 2];
   await page.mouse.move(x, y);
@@ -430,6 +431,14 @@ test('an address brings the view back', async () => {
   await page.evaluate((f) => (location.hash = f), fragment);
   await page.waitForFunction(() => window.stratareeb.settings.get('cut') === 'azimuth');
   assert.equal(await other.evaluate(() => window.look.picture()), await picture());
+  await other.context().close();
+});
+
+test('an address that this model can’t follow does no harm', async () => {
+  const other = await openPage(browser, place, { fragment: '#reeb=99&contours=77&hole=5000&hidden=3,99,-1&picked=a999&cut=nowhere' });
+  const { reeb, contours, hole, hidden, cut } = await other.evaluate(() => window.stratareeb.settings.values);
+  assert.deepEqual([reeb, contours, hole, hidden, cut], ['off', 'off', -1, [3], 'off']);
+  assert.deepEqual(other.said, []);
   await other.context().close();
 });
 
