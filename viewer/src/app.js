@@ -2,7 +2,7 @@
 // The page at work: settings in, drawing out.
 import { ClipUniforms } from './clip.js';
 import { ContoursView } from './contours_view.js';
-import { cutOf, slabRange } from './cut.js';
+import { cutOf } from './cut.js';
 import { CutHandle } from './cut_handle.js';
 import { FrameView } from './frame_view.js';
 import { graphDiagram } from './graph_diagram.js';
@@ -14,10 +14,11 @@ import { roundUp } from './level_lines.js';
 import { grouped } from './model.js';
 import { layerColors } from './palette.js';
 import { download, pictureOf } from './picture.js';
-import { PlanGrid, columnAt } from './plan_grid.js';
+import { PlanGrid } from './plan_grid.js';
 import { Pointer } from './pointer.js';
 import { opacityOf, toFragment } from './settings.js';
 import { h } from './ui.js';
+import { graphText } from './words.js';
 
 const kFlat = 0.22; // of its length that a model's height should look like
 
@@ -81,19 +82,6 @@ export class App {
 
   isPresent(layer) {
     return this.model.isPresent(layer);
-  }
-
-  volumeText({ volume }) {
-    if (volume === undefined) return '';
-    const power = volume >= 1e6 ? 3 * Math.floor(Math.log10(volume) / 3) : 0;
-    const digits = { 6: '⁶', 9: '⁹', 12: '¹²', 15: '¹⁵' }[power];
-    return `${grouped(volume / 10 ** power, 3)}${digits ? `·10${digits}` : ''} ${this.lengthUnit}³`;
-  }
-
-  slabText(values) {
-    if (values.slab === 0) return 'all depths';
-    const [from, to] = slabRange(this.box, Math.min(values.slab, values.slabs) - 1, values.slabs);
-    return `slab ${values.slab} of ${values.slabs}, z ${this.model.coordinate(from, 2)} to ${this.model.coordinate(to, 2)} ${this.lengthUnit}`;
   }
 
   shownLayers() {
@@ -261,38 +249,7 @@ export class App {
           onPick: (word) => this.settings.set({ picked: picked === word ? '' : word }),
         })
       : null;
-    for (const listener of this.#graphListeners) listener(diagram, graph ? this.#graphText(graph, picked) : '');
-  }
-
-  #graphText(graph, picked) {
-    const counts = `${graph.nodes.length} nodes, ${graph.arcs.length} arcs${graph.layer === null ? '' : `, ${graph.loops} loops`}`;
-    const share = graph.share > 0 ? `, without what rises less than ${+(100 * graph.share).toFixed(1)} % of the height` : '';
-    const found = pickedIn(graph, picked);
-    if (!found) return `${counts}${share}. Pick a node or an arc.`;
-    const z = (node) => `${this.model.coordinate(graph.nodes[node].at[2], 2)} ${this.lengthUnit}`;
-    if (found.node !== undefined) return `${graph.nodes[found.node].type === 'level' ? 'Level' : graph.nodes[found.node].type} at ${z(found.node)}. ${counts}${share}.`;
-    const arc = graph.arcs[found.arc];
-    return `${this.units[arc.layer].name}: arc from ${z(arc.from)} to ${z(arc.to)}. ${counts}${share}.`;
-  }
-
-  holeLabel({ hole, layer, top, base, whole }) {
-    const z = (value) => this.model.coordinate(value, 2);
-    const { id, top: ground } = this.holes[hole];
-    const depth = ground === null ? '' : `, depth ${(ground - top).toFixed(2)}–${(ground - base).toFixed(2)}`;
-    return `${id}: ${this.units[layer].name}, z ${z(top)} to ${whole ? '' : 'below '}${z(base)}${depth} ${this.lengthUnit}`;
-  }
-
-  /** Words for what the pointer is over: [[what, text], …]. */
-  wordsFor(found) {
-    if (!found) return [];
-    const { point, layer } = found;
-    const at = [0, 1, 2].map((axis) => [['x', 'y', 'z'][axis], this.model.coordinate(point[axis], axis)]);
-    if (found.kind === 'hole') return [['hole', this.holeLabel(found.column)], ...at];
-    const column = columnAt((this.halves[found.half] ?? this.halves[1]).grid, point[0], point[1]);
-    const facts = column
-      ? [['thickness', `${(column[layer] - column[layer + 1]).toFixed(2)} ${this.lengthUnit}`], ['depth', `${Math.max(0, column[0] - point[2]).toFixed(2)} ${this.lengthUnit}`]]
-      : [];
-    return [['layer', this.units[layer].name], ...at, ...facts];
+    for (const listener of this.#graphListeners) listener(diagram, graph ? graphText(this, graph, picked) : '');
   }
 
   fragment() {

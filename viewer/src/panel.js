@@ -4,6 +4,7 @@ import { cutNormal, spanAlong } from './cut.js';
 import { kPalettes } from './palette.js';
 import { opacityOf } from './settings.js';
 import { button, h, section } from './ui.js';
+import { slabText, volumeText } from './words.js';
 
 const without = (list, item) => list.filter((other) => other !== item);
 
@@ -30,7 +31,7 @@ function layerRow({ app, bindings, settings }, unit, i) {
   }, { class: 'quiet' });
   const row = h('li', { class: 'layer' },
     h('label', {}, box, swatch, h('span', { class: 'name', title: unit.name }, unit.name)),
-    h('span', { class: 'fact' }, app.isPresent(i) ? app.volumeText(unit) : 'absent'), only, faint);
+    h('span', { class: 'fact' }, app.isPresent(i) ? volumeText(app, unit) : 'absent'), only, faint);
   bindings.follow((values) => {
     box.checked = !values.hidden.includes(i);
     swatch.style.background = app.colors[i];
@@ -137,7 +138,7 @@ function cutSection(context) {
     plane.hidden = values.cut === 'off';
     turned.hidden = values.cut !== 'azimuth';
     block.hidden = values.block === 'off';
-    slabName.textContent = context.app.slabText(values);
+    slabName.textContent = slabText(context.app, values);
   });
   return section('cut', 'Cut', true,
     bindings.segments('cut', 'Plane', { off: 'off', x: 'x', y: 'y', z: 'z', azimuth: 'any' }), turned, plane,

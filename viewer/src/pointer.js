@@ -3,6 +3,7 @@
 import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments } from 'three';
 import { firstColumn, firstLayer } from './ray.js';
 import { h } from './ui.js';
+import { holeLabel } from './words.js';
 
 const kClick = 6; // pixels that a pointer may move between down and up
 
@@ -82,7 +83,7 @@ export class Pointer {
     this.app.tell(found);
     this.tip.hidden = found?.kind !== 'hole';
     if (!this.tip.hidden) {
-      this.tip.textContent = this.app.holeLabel(found.column);
+      this.tip.textContent = holeLabel(this.app, found.column);
       this.tip.style.transform = `translate(${this.over[0] + 14}px,${this.over[1] + 10}px)`;
     }
     this.stage.canvas.style.cursor = this.measuring ? 'crosshair' : found?.kind === 'hole' ? 'pointer' : 'default';

@@ -3,6 +3,7 @@
 import { holeLog } from './log_card.js';
 import { panel } from './panel.js';
 import { button, h } from './ui.js';
+import { wordsFor } from './words.js';
 
 const kKeys = [
   ['1 … 9', 'show or hide a layer'],
@@ -158,6 +159,6 @@ export function fillShell(app, bindings, shell) {
   followHole(app);
   listenToKeys(app);
   app.tell = (found) => {
-    shell.parts.status.replaceChildren(...app.wordsFor(found).flatMap(([what, text]) => [h('b', {}, what), h('span', { 'data-fact': what }, text)]));
+    shell.parts.status.replaceChildren(...wordsFor(app, found).flatMap(([what, text]) => [h('b', {}, what), h('span', { 'data-fact': what }, text)]));
   };
 }
