@@ -205,9 +205,13 @@ void write_picture(const std::filesystem::path& png, std::span<const LayerSolid>
                          .exaggeration = scene.exaggeration,
                          .north = {eye.right[1], eye.up[1]},
                          .has_holes = !options.holes.empty()};
-    for (const auto* layer : scene.layers)
+    for (std::size_t k = 0; k < scene.layers.size(); ++k) {
+        const auto* layer = scene.layers[k];
+        if (k > 0 && scene.layers[k - 1]->order == layer->order && layer->block > 0)
+            continue;  // another block
         labels.legend.push_back({layer->unit.name.empty() ? layer->unit.code : layer->unit.name,
                                  rgb_from_text(layer->unit.color)});
+    }
 
     const auto points = seen_points(scene, eye);
     auto to_fit = points;
@@ -219,7 +223,7 @@ void write_picture(const std::filesystem::path& png, std::span<const LayerSolid>
     PictureCanvas canvas(options.width, options.height);
     for (std::size_t k = 0; k < scene.layers.size(); ++k)
         draw_layer(canvas, scene.layers[k]->surface, points[k], frame,
-                   canvas.add_part(labels.legend[k].color));
+                   canvas.add_part(rgb_from_text(scene.layers[k]->unit.color)));
     draw_pins(canvas, scene, eye, frame, options);
 
     const std::string bytes =

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "boreholes/errors.h"
 #include "mesh/compensated_sum.h"
@@ -41,10 +42,21 @@ class SegmentCut {
         find_crossings();
         std::vector<SectionStation> stations;
         if (auto start = station_at(0, a_)) stations.push_back(std::move(*start));
-        for (const Crossing& c : crossings_) {
-            const double share = std::clamp(c.share, 0.0, 1.0);
+        for (std::size_t i = 0; i < crossings_.size(); ++i) {
+            const double share = std::clamp(crossings_[i].share, 0.0, 1.0);
+            if (const auto fault = fault_from(i)) {
+                if (stations.empty() || share * length_ > stations.back().along)
+                    stations.push_back(station_on(crossings_[fault->before], share));
+                else
+                    stations.back() = station_on(crossings_[fault->before], stations.back().along / length_);
+                const double along = stations.back().along;
+                stations.push_back(station_on(crossings_[fault->behind], along / length_));
+                stations.back().along = along;
+                i = fault->last;
+                continue;
+            }
             if (!stations.empty() && share * length_ <= stations.back().along) continue;
-            stations.push_back(station_on(c, share));
+            stations.push_back(station_on(crossings_[i], share));
         }
         if (auto end = station_at(1, b_)) {
             while (!stations.empty() && stations.back().along >= length_) stations.pop_back();
@@ -94,6 +106,50 @@ class SegmentCut {
             {share_of({p.x + weight * (q.x - p.x), p.y + weight * (q.y - p.y)}), u, v, weight});
     }
 
+    //! Crossings at one place where the plan is cut along a fault: out of one block and into the next.
+    struct FaultCrossing {
+        std::size_t before, behind, last;
+    };
+
+    std::optional<FaultCrossing> fault_from(std::size_t first) const {
+        constexpr double kSamePlace = 1e-10;
+        std::optional<std::size_t> before, behind;
+        std::size_t last = first;
+        for (std::size_t i = first;
+             i < crossings_.size() && crossings_[i].share - crossings_[first].share <= kSamePlace; ++i) {
+            last = i;
+            if (!is_boundary(crossings_[i])) continue;
+            const bool comes_from = has_face_at(crossings_[i], -1), goes_to = has_face_at(crossings_[i], 1);
+            if (comes_from && !goes_to && !before) before = i;
+            if (goes_to && !comes_from && !behind) behind = i;
+        }
+        if (!before || !behind) return std::nullopt;
+        return FaultCrossing{*before, *behind, last};
+    }
+
+    bool is_boundary(const Crossing& c) const {
+        const TriMesh::VertexHandle u(static_cast<int>(c.from)), v(static_cast<int>(c.to));
+        return c.from == c.to ? plan_.is_boundary(u)
+                              : plan_.is_boundary(plan_.edge_handle(plan_.find_halfedge(u, v)));
+    }
+
+    //! A triangle at the crossing's vertex or edge holds the line just before (-1) or behind (1) it.
+    bool has_face_at(const Crossing& c, int direction) const {
+        constexpr double kNear = 1e-8;
+        const Point2 p = at(c.share + direction * kNear);
+        for (const auto f : plan_.vf_range(TriMesh::VertexHandle(static_cast<int>(c.from)))) {
+            bool holds = true, has_edge = c.from == c.to;
+            for (const auto h : plan_.fh_range(f)) {
+                const Point2 u = point(static_cast<std::uint32_t>(plan_.from_vertex_handle(h).idx())),
+                             v = point(static_cast<std::uint32_t>(plan_.to_vertex_handle(h).idx()));
+                holds &= CGAL::orientation(exact(u), exact(v), exact(p)) != CGAL::RIGHT_TURN;
+                has_edge |= plan_.from_vertex_handle(h).idx() == static_cast<int>(c.to);
+            }
+            if (holds && has_edge) return true;
+        }
+        return false;
+    }
+
     void add_vertex(std::uint32_t v, const Point2& p) {
         const double share = share_of(p);
         if (share >= 0 && share <= 1) crossings_.push_back({share, v, v, 0});
@@ -127,7 +183,8 @@ class SegmentCut {
         std::vector<std::vector<SectionStation>> runs;
         for (std::size_t i = 0; i < stations.size(); ++i) {
             const bool joined =
-                i > 0 && locator_.locate(at((stations[i - 1].along + stations[i].along) / (2 * length_)));
+                i > 0 && stations[i - 1].along < stations[i].along &&
+                locator_.locate(at((stations[i - 1].along + stations[i].along) / (2 * length_)));
             if (!joined) runs.emplace_back();
             runs.back().push_back(std::move(stations[i]));
         }
@@ -191,9 +248,10 @@ VerticalSection vertical_section(const LayerModel& model, const PlanLocator& loc
     for (std::size_t i = 0; i + 1 < section.line.size(); ++i) {
         auto runs = SegmentCut(model, locator, local(section.line[i]), local(section.line[i + 1])).runs();
         move_to_map(runs, model.origin, section.corners[i]);
+        bool is_first = true;  // later ones begin beyond a gap or a fault
         for (auto& run : runs) {
             if (run.back().along > section.corners[i + 1]) run.back().along = section.corners[i + 1];
-            if (goes_on(section.runs, run))
+            if (std::exchange(is_first, false) && goes_on(section.runs, run))
                 section.runs.back().insert(section.runs.back().end(), run.begin() + 1, run.end());
             else
                 section.runs.push_back(std::move(run));

@@ -12,6 +12,8 @@
 #include "io/read_faults.h"
 #include "mesh/layer_volumes.h"
 #include "mesh/model_summary.h"
+#include "mesh/plan_locator.h"
+#include "mesh/vertical_section.h"
 #include "subdivision/refined_layers.h"
 #include "tests/model_soundness.h"
 #include "tests/temporary_folder.h"
@@ -134,6 +136,21 @@ TEST(FaultedModel, horizons_that_cross_along_the_fault_meet_in_vertices) {
         LayerModelOptions options = square_options();
         options.interpolator = kind;
         expect_sound_blocks(build_faulted_model(survey, kMiddle, options), survey);
+    }
+}
+
+TEST(FaultedModel, a_section_jumps_at_the_fault) {
+    const LayerModel model = build_faulted_model(two_blocks(12), kMiddle, square_options());
+    const PlanLocator locator(model.plan.surface);
+    for (const auto& line :
+         {std::vector<Point2>{{10, 30}, {290, 30}}, {{290, 41.7}, {10, 233.3}}, {{150.5, 0}, {149.5, 300}}}) {
+        const VerticalSection section = vertical_section(model, locator, line);
+        ASSERT_EQ(section.runs.size(), 2u);
+        EXPECT_EQ(section.runs[0].back().along, section.runs[1].front().along);
+        EXPECT_NEAR(section.runs[0].back().at.x, 150, 1e-9);
+        EXPECT_NEAR(std::abs(section.runs[0].back().horizons[1] - section.runs[1].front().horizons[1]), 12,
+                    1e-9);
+        EXPECT_NEAR(envelope_area(section), 45 * section.corners.back(), 1e-6);
     }
 }
 
