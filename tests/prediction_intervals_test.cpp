@@ -91,19 +91,20 @@ std::vector<double> plain_half_widths(const std::vector<PlacedError>& errors, do
         }
         return profile.at(errors[i].gap) * ratios / (static_cast<double>(near) + 4);
     };
-    std::vector<double> widths;
+    std::vector<double> scales, widths;
+    for (std::size_t i = 0; i < errors.size(); ++i) scales.push_back(scale(i));
     for (std::size_t i = 0; i < errors.size(); ++i) {
         std::vector<double> scores;
         double most = 0;
         for (std::size_t j = 0; j < errors.size(); ++j) {
             if (errors[j].draw == errors[i].draw) continue;
-            scores.push_back(std::abs(errors[j].error) / scale(j));
+            scores.push_back(std::abs(errors[j].error) / scales[j]);
             most = std::max(most, std::abs(errors[j].error));
         }
         std::sort(scores.begin(), scores.end());
         const auto rank =
             static_cast<std::size_t>(std::ceil((static_cast<double>(scores.size()) + 1) * confidence));
-        widths.push_back(std::min(scores[std::min(rank, scores.size()) - 1] * scale(i), most));
+        widths.push_back(std::min(scores[std::min(rank, scores.size()) - 1] * scales[i], most));
     }
     return widths;
 }
