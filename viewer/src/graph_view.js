@@ -162,7 +162,8 @@ export class GraphView {
 
   #putPart(soup, up, color) {
     this.partMaterial.color.set(color);
-    for (let i = 0; i < soup.length; i += 3) this.part.put(soup[i], soup[i + 1], soup[i + 2] + up);
+    this.partMesh.position.z = up; // so that it is cut where its layer is
+    for (let i = 0; i < soup.length; i += 3) this.part.put(soup[i], soup[i + 1], soup[i + 2]);
   }
 
   #pickArc(arc, number, lift) {

@@ -53,6 +53,7 @@ export class Stage {
     this.beforeHalf = () => {}; // called with 0 and 1 before each half of a split picture, with 1 for a whole one
     this.afterFrame = () => {};
     this.bounds = { low: [-1, -1, -1], high: [1, 1, 1] };
+    canvas.addEventListener('webglcontextrestored', () => this.request());
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
     this.resize();
   }
