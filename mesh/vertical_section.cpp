@@ -133,21 +133,26 @@ class SegmentCut {
                               : plan_.is_boundary(plan_.edge_handle(plan_.find_halfedge(u, v)));
     }
 
-    //! A triangle at the crossing's vertex or edge holds the line just before (-1) or behind (1) it.
+    //! A triangle at the crossing's vertex or boundary edge holds the line just before (-1) or behind (1) it.
     bool has_face_at(const Crossing& c, int direction) const {
+        if (c.from != c.to) {
+            TriMesh::HalfedgeHandle inner =
+                plan_.find_halfedge(TriMesh::VertexHandle(static_cast<int>(c.from)),
+                                    TriMesh::VertexHandle(static_cast<int>(c.to)));
+            if (plan_.is_boundary(inner)) inner = plan_.opposite_halfedge_handle(inner);
+            const auto edge = plan_.calc_edge_vector(inner);  // the inside to its left
+            return direction * (edge[0] * (b_.y - a_.y) - edge[1] * (b_.x - a_.x)) > 0;
+        }
         constexpr double kNear = 1e-8;
         const Point2 p = at(c.share + direction * kNear);
-        for (const auto f : plan_.vf_range(TriMesh::VertexHandle(static_cast<int>(c.from)))) {
-            bool holds = true, has_edge = c.from == c.to;
-            for (const auto h : plan_.fh_range(f)) {
-                const Point2 u = point(static_cast<std::uint32_t>(plan_.from_vertex_handle(h).idx())),
-                             v = point(static_cast<std::uint32_t>(plan_.to_vertex_handle(h).idx()));
-                holds &= CGAL::orientation(exact(u), exact(v), exact(p)) != CGAL::RIGHT_TURN;
-                has_edge |= plan_.from_vertex_handle(h).idx() == static_cast<int>(c.to);
-            }
-            if (holds && has_edge) return true;
-        }
-        return false;
+        return std::ranges::any_of(
+            plan_.vf_range(TriMesh::VertexHandle(static_cast<int>(c.from))), [&](const auto f) {
+                return std::ranges::all_of(plan_.fh_range(f), [&](const auto h) {
+                    const Point2 u = point(static_cast<std::uint32_t>(plan_.from_vertex_handle(h).idx())),
+                                 v = point(static_cast<std::uint32_t>(plan_.to_vertex_handle(h).idx()));
+                    return CGAL::orientation(exact(u), exact(v), exact(p)) != CGAL::RIGHT_TURN;
+                });
+            });
     }
 
     void add_vertex(std::uint32_t v, const Point2& p) {

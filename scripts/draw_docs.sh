@@ -45,3 +45,10 @@ build/stratareeb report "$folder/fence" -o "$folder/report.html" --title "Sighth
 picture_of_page "$folder/report.html" docs/images/report.png 1200 1500
 build/stratareeb split "$folder/fence" -o "$folder/slabs" --count 8 --pictures --quiet >/dev/null
 cp "$folder/slabs/slab_06.png" docs/images/slab.png
+build/stratareeb build examples/buried_valley/holes.csv --rules examples/buried_valley/units.csv --quiet \
+    -o "$folder/valley" >/dev/null
+build/stratareeb section "$folder/valley" --along 0,400,1200,400 -o docs/images/layer_rules.png --overwrite \
+    --title "A buried valley" >/dev/null
+build/stratareeb build examples/graben/holes.csv --faults examples/graben/faults.geojson --quiet -o "$folder/graben" >/dev/null
+build/stratareeb section "$folder/graben" --along 0,300,1200,300 -o docs/images/faults.png --overwrite \
+    --title "A graben between two faults" >/dev/null
