@@ -15,7 +15,8 @@ namespace stratareeb {
 
 namespace {
 
-const std::set<std::string> kFormats{"ply", "stl", "obj", "off", "glb", "3mf", "mlp", "step", "brep", "png"};
+const std::set<std::string> kFormats{"ply", "stl",  "obj",  "off", "glb", "3mf",
+                                     "mlp", "step", "brep", "png", "html"};
 const std::set<std::string> kColumnRoles{"x", "y", "ground", "hole", "from", "to", "unit", "z", "depth"};
 
 std::map<std::string, std::string> parsed_columns(const std::vector<std::string>& pairs) {
@@ -181,6 +182,8 @@ void add_build_options(CLI::App& command, BuildArguments& arguments) {
                     fmt::format("Files beside the PLY: {}", fmt::join(kFormats, ",")))
         ->delimiter(',')
         ->check(CLI::IsMember(kFormats));
+    command.add_option("--deliver", arguments.deliver,
+                       "Folder to hand over, made of the model as by the command deliver");
     command.add_flag("--overwrite", arguments.overwrite, "Replace a model that is there");
     command.add_flag("--json", arguments.json, "Print model.json to standard output instead of a table");
     command.add_flag("--quiet", arguments.quiet, "No progress and no notes on standard error");

@@ -32,6 +32,7 @@ struct BuildArguments {
                                 interpolator{name_of(kDefaultInterpolator)}, pinch_out = "half",
                                 refine = "auto";
     std::vector<std::string> formats;
+    std::string deliver;  // folder to hand over; empty = none
     NormalWeight normals = NormalWeight::Uniform;
     StepKind step = StepKind::Faceted;
     double margin = -1;           // < 0 = suitable_margin

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
 
 #include "apps/build_options.h"
 #include "apps/command.h"
+#include "apps/deliver.h"
 #include "apps/memory_guard.h"
 #include "apps/progress.h"
 #include "boreholes/choose_interpolator.h"
@@ -28,6 +30,7 @@
 #include "io/write_meshlab_project.h"
 #include "io/write_model.h"
 #include "io/write_picture.h"
+#include "io/write_viewer.h"
 #include "mesh/decimate_layers.h"
 #include "mesh/faulted_model.h"
 #include "subdivision/refined_layers.h"
@@ -45,6 +48,8 @@ class Build {
 
     //! From table to files; should smooth surfaces come out unsound, the plain ones, with a warning.
     void run() {
+        if (!arguments_.deliver.empty())
+            StagedFolder(arguments_.deliver, arguments_.overwrite);  // may it be written?
         progress_.step("reading boreholes", 0);
         const BoreholeTable table = read_table();
         choose_interpolator_for(table.survey);
@@ -72,11 +77,23 @@ class Build {
         write_model_holes(folder.add(kModelHolesFile), table.survey, model.plan.hole_vertex);
         progress_.step("checking", kSolidsEnd);
         record.checks = check_model(model, table.survey, record.units);
-        const std::string json = write_record(folder, model, table.survey, record);
-        progress_.clear();
         fail_if_unsound(record);
-        folder.commit(files_of_model(arguments_.output));
+        const std::string json = write_record(folder, model, table.survey, record);
+        folder.commit(replaced_files());
+        progress_.clear();
         print_result(model, table.survey, record, json);
+        if (!arguments_.deliver.empty())
+            deliver({.folder = arguments_.output,
+                     .output = arguments_.deliver,
+                     .overwrite = arguments_.overwrite,
+                     .quiet = arguments_.quiet || arguments_.json});
+    }
+
+    //! What an earlier model left, pages that `view` and `report` made of it too.
+    std::vector<std::string> replaced_files() const {
+        std::vector<std::string> files = files_of_model(arguments_.output);
+        files.insert(files.end(), {"model.html", "report.html"});
+        return files;
     }
 
     BoreholeTable read_table() {
@@ -329,9 +346,17 @@ class Build {
     std::string write_record(StagedFolder& folder, const LayerModel& model, const Survey& survey,
                              ModelRecord& record) {
         const auto path = folder.add("model.json");
+        std::filesystem::path page;
+        if (arguments_.wants("html")) page = folder.add("model.html");
         record.files = folder.files();
         std::string json = model_json(model, survey, record);
         write_aside(path, [&](std::ostream& stream) { stream << json; });
+        if (!page.empty()) {
+            progress_.step("writing the 3D page", kSolidsEnd);
+            const auto name = std::filesystem::absolute(arguments_.output).lexically_normal();
+            write_viewer(path.parent_path(), page,
+                         {.title = (name.has_filename() ? name : name.parent_path()).filename().string()});
+        }
         return json;
     }
 

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 struct ReportArguments {
     ReportChoices choices;
-    std::string output;
+    std::string folder, output;
     bool overwrite = false;
 };
 
@@ -35,7 +35,7 @@ std::string data_url(const fs::path& file) {
 }
 
 void run(const ReportArguments& arguments) {
-    const fs::path folder = arguments.choices.folder;
+    const fs::path folder = arguments.folder;
     const fs::path output = arguments.output.empty() ? folder / "report.html" : fs::path(arguments.output);
     keep_existing(output, arguments.overwrite);
     Progress progress("report");
@@ -62,6 +62,7 @@ void run(const ReportArguments& arguments) {
 void add_report_command(CLI::App& program) {
     const auto arguments = std::make_shared<ReportArguments>();
     CLI::App* command = program.add_subcommand("report", "One page about a built model, with its drawings");
+    command->add_option("DIR", arguments->folder, "Folder that build wrote")->required();
     add_report_options(*command, arguments->choices);
     command->add_option("-o,--output", arguments->output, "HTML file (report.html in DIR)");
     command->add_flag("--overwrite", arguments->overwrite, "Replace a report that is there");

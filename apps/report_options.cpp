@@ -4,7 +4,6 @@
 namespace stratareeb {
 
 void add_report_options(CLI::App& command, ReportChoices& choices) {
-    command.add_option("DIR", choices.folder, "Folder that build wrote")->required();
     command.add_option("--title", choices.title, "Over the report");
     command
         .add_option("--through", choices.fences,

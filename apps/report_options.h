@@ -13,7 +13,7 @@ namespace stratareeb {
 
 //! What `report` and `deliver` are told alike.
 struct ReportChoices {
-    std::string folder, title;
+    std::string title;
     std::vector<std::string> fences;  // each HOLE,HOLE,…
     std::uint64_t seed = 1;
     bool no_validation = false;

@@ -10,10 +10,8 @@
 #include "io/graph_columns.h"
 #include "reeb/arc_curves.h"
 #include "reeb/arc_members.h"
-#include "reeb/collapse_plateaus.h"
 #include "reeb/layered_reeb_graph.h"
-#include "reeb/reeb_graph.h"
-#include "reeb/simplify.h"
+#include "reeb/readable_graph.h"
 
 namespace stratareeb {
 
@@ -21,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-// Shares of the height below which features are left out, tried in turn.
+// Shares of the height below which features of the layered graph are left out, tried in turn.
 constexpr std::array<double, 7> kShares{0, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2};
 
 struct Layer {
@@ -36,17 +34,6 @@ std::size_t triangles_over(const LayerModel& model, std::size_t layer) {
     std::size_t count = 0;
     for (const LayerSet& layers : model.regions.in_face) count += layers[layer];
     return count;
-}
-
-void simplify_to(Layer& layer, std::size_t most_nodes) {
-    layer.fine = reeb_graph(layer.solid, layer.height);
-    const ReebGraph collapsed = collapse_plateaus(layer.fine);
-    layer.graph = collapsed;
-    for (const double share : kShares) {
-        if (share > 0) layer.graph = simplify(collapsed, layer.solid, layer.height, share).graph;
-        layer.share = share;
-        if (layer.graph.nodes.size() <= most_nodes) return;
-    }
 }
 
 json numbers(const Point3& p) {
@@ -140,7 +127,10 @@ json view_graphs(const LayerModel& model, ViewStreams& streams, const ViewGraphO
         layer.index = i;
         layer.solid = build_layer_solid(model, i).surface;
         layer.height = height_field(layer.solid);
-        simplify_to(layer, options.most_nodes);
+        ReadableGraph readable = readable_graph(layer.solid, layer.height, options.most_nodes);
+        layer.fine = std::move(readable.fine);
+        layer.graph = std::move(readable.graph);
+        layer.share = readable.share;
         list.push_back(graph_json(layer, triangles, streams));
     }
     return {{"layers", std::move(list)}, {"layered", layered_json(layers, options.most_nodes)}};

@@ -90,7 +90,7 @@ class Report {
         put_fact(fmt::format("{}", model_.units.size()), "layers");
         put_fact(fmt::format("{} {}³", grouped_number(parts_.record.envelope_volume, 4), unit_),
                  "volume of all layers");
-        put_fact(fmt::format("{:.2g} {}", parts_.record.misfit.max, unit_),
+        put_fact(misfit_text(parts_.record.misfit.max),
                  fmt::format("largest misfit at {} contacts", parts_.record.misfit.contacts));
         put_fact(fmt::format("{} of {}", ok, record_.checks.size()), "checks passed");
         put("</div>\n");
@@ -100,6 +100,13 @@ class Report {
             put("</p>\n");
         }
         put_figure(parts_.figures.model);
+    }
+
+    //! What is smaller than rounding is not told digit by digit.
+    std::string misfit_text(double misfit) const {
+        constexpr double kNothing = 1e-9;
+        return misfit < kNothing ? fmt::format("&lt; 1e-9 {}", unit_)
+                                 : fmt::format("{:.2g} {}", misfit, unit_);
     }
 
     void put_layers() {

@@ -3,10 +3,10 @@
 
 #include <zlib.h>
 
-#include <cstdint>
 #include <stdexcept>
 #include <string_view>
 
+#include "io/base64.h"
 #include "io/view_payload.h"
 #include "io/viewer_template.h"
 #include "io/write_aside.h"
@@ -28,20 +28,6 @@ std::string deflated(const std::string& bytes) {
         throw std::runtime_error("zlib: out of memory");
     packed.resize(size);
     return packed;
-}
-
-std::string base64(const std::string& bytes) {
-    constexpr const char* kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve(bytes.size() / 3 * 4 + 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t group = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-        for (std::size_t k = 0; k < 4; ++k)
-            text += i + k > bytes.size() ? '=' : kDigits[group >> (18 - 6 * k) & 63];
-    }
-    return text;
 }
 
 std::string folder_name(const fs::path& folder) {
