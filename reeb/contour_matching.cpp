@@ -17,7 +17,8 @@ constexpr std::size_t kLeastPlaces = 64, kMostPlaces = 384;  // on each contour
 constexpr double kWindow = 1.5;    // places around a partner in which a nearer one is looked for
 constexpr double kRelaxation = 2;  // towards parameters by length, for a mean way of one perimeter
 constexpr double kLeastShare = 1e-4, kMostShare = 0.1;  // of parameters by length
-constexpr double kMuchLess = 0.5;  // of the mean square by which ways from contour to contour differ
+constexpr double kSame = 1e-9;                          // parameters
+constexpr double kMuchLess = 0.25;  // of the mean square by which ways from contour to contour differ
 const double kBelowOne = std::nextafter(1.0, 0.0);
 
 double plan_square(const Point3& a, const Point3& b) {
@@ -139,6 +140,24 @@ double spread_between(const SampledContour& a, const SampledContour& b) {
     return weight > 0 ? square / weight - (x * x + y * y) / (weight * weight) : 0;
 }
 
+//! Parameters by length, counted from anywhere?
+bool is_turned_only(const std::vector<double>& own, const std::vector<double>& lengths) {
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        const double off = own[i] - own[0] - lengths[i];
+        if (std::abs(off - std::round(off)) > kSame) return false;
+    }
+    return true;
+}
+
+//! The second contour with the first one's own parameters at partners, which are places by length.
+SampledContour with_parameters_of(const SampledContour& first, const SampledContour& by_length,
+                                  SampledContour second, const std::vector<double>& partners) {
+    const double last = own_parameter(by_length, first.parameters, partners.front()) + kBelowOne;
+    for (std::size_t i = 0; i < partners.size(); ++i)
+        second.parameters[i] = std::min(own_parameter(by_length, first.parameters, partners[i]), last);
+    return from_zero(std::move(second));
+}
+
 SampledContour by_length(const SampledContour& contour) {
     return contour_by_perimeter(contour.points);
 }
@@ -147,18 +166,18 @@ SampledContour by_length(const SampledContour& contour) {
 
 SampledContour matched_contour(const SampledContour& first, const SampledContour& second, Matching matching) {
     const SampledContour aligned = with_origin(second, aligned_origin(first, second));
-    if (matching == Matching::ByLength || first.points.size() < 3 || second.points.size() < 3) return aligned;
+    if (first.points.size() < 3 || second.points.size() < 3) return aligned;
     const SampledContour a = by_length(first);
+    const bool is_plain = is_turned_only(first.parameters, a.parameters);
+    if (is_plain && matching == Matching::ByLength) return aligned;
     SampledContour b = by_length(second);
     b = with_origin(b, aligned_origin(a, b));
-    std::vector<double> partners = partners_of_points(a, b);
-    const double last = own_parameter(a, first.parameters, partners.front()) + kBelowOne;
-    for (std::size_t i = 0; i < partners.size(); ++i)
-        b.parameters[i] = std::min(own_parameter(a, first.parameters, partners[i]), last);
-    b = from_zero(std::move(b));
+    const SampledContour plain = is_plain ? aligned : with_parameters_of(first, a, b, b.parameters);
+    if (matching == Matching::ByLength) return plain;
+    const SampledContour shaped = with_parameters_of(first, a, b, partners_of_points(a, b));
     const bool is_better = matching == Matching::ByShape ||
-                           spread_between(first, b) < kMuchLess * spread_between(first, aligned);
-    return is_better ? b : aligned;
+                           spread_between(first, shaped) < kMuchLess * spread_between(first, plain);
+    return is_better ? shaped : plain;
 }
 
 std::vector<SampledContour> matched_contours(std::vector<SampledContour> contours) {

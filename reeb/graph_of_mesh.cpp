@@ -16,17 +16,19 @@
 #include "boreholes/errors.h"
 #include "mesh/analysis.h"
 #include "mesh/ring_crossings.h"
-#include "mesh/self_intersection.h"
 #include "reeb/contour_matching.h"
 #include "reeb/correspondence.h"
 #include "reeb/cut_crossings.h"
+#include "reeb/far_places.h"
 #include "reeb/filled_boundaries.h"
+#include "reeb/graded_levels.h"
 #include "reeb/homotopy.h"
 #include "reeb/level_pieces.h"
 #include "reeb/level_set.h"
 #include "reeb/mesh_contours.h"
 #include "reeb/monotone_edge.h"
 #include "reeb/reeb_graph.h"
+#include "reeb/surface_crossings.h"
 #include "reeb/surface_of_graph.h"
 #include "reeb/sweep_graph.h"
 
@@ -58,7 +60,8 @@ using Contours = std::vector<LevelContour>;
 class GraphOfMesh {
  public:
     GraphOfMesh(const TriMesh& mesh, std::size_t first_filled, const MeshGraphOptions& options)
-        : options_(options),
+        : mesh_(mesh),
+          options_(options),
           first_filled_(first_filled),
           field_(height_field(mesh)),
           graph_(reeb_graph(mesh, field_)),
@@ -78,17 +81,11 @@ class GraphOfMesh {
         tbb::parallel_for(std::size_t{0}, contours_.size(),
                           [&](std::size_t e) { refine(sweep_.edges[e], contours_[e]); });
         add_edges();
-        // First quickly, then what other ways of joining can't mend.
-        bool is_mended = false;
-        for (std::size_t round = 0; round < options_.crossing_rounds; ++round) {
-            is_mended = is_mended || round >= kQuickRounds;
-            if (add_contours_where_crossing(is_mended)) {
-                add_edges();
-                continue;
-            }
-            if (is_mended) break;
-            is_mended = true;
+        if (options_.tolerance > 0) {
+            far_.emplace(mesh_, first_filled_, graph_, sweep_);
+            come_near();
         }
+        mend();
         return std::move(result_);
     }
 
@@ -173,7 +170,10 @@ class GraphOfMesh {
             LevelContour contour = mesh_contours_.at(edge, z);
             if (make_sound(contour)) contours.push_back(std::move(contour));
         };
-        for (const double z : levels_) add(z);
+        const auto is_graded = [&](std::uint32_t n) { return result_.nodes[n].form == NodeForm::Point; };
+        for (const double z :
+             graded_levels(levels_, low, high, {.low = is_graded(edge.lower), .high = is_graded(edge.upper)}))
+            add(z);
         for (double share = 0.5; contours.empty() && share > 1e-3; share /= 2) {
             add(low + share * (high - low));
             if (contours.empty()) add(high - share * (high - low));
@@ -286,15 +286,32 @@ class GraphOfMesh {
         return result_.nodes[n].form == NodeForm::Point && node.down.size() + node.up.size() == 1;
     }
 
-    //! Half way between contours, or a contour and a node, between which the surface made of them would cross something.
-    //! \return were there any?
-    //! \param is_mended the other ways of joining places that construct_surface has are tried first
-    bool add_contours_where_crossing(bool is_mended) {
-        const ConstructedSurface surface =
-            surface_of_graph(result_, {.avoid_crossings = is_mended, .fairing = is_mended});
-        if (is_mended && surface.crossings.empty()) return false;
-        std::set<std::pair<std::uint32_t, std::size_t>> places;  // edge, number of contours below
-        for (const auto& pair : self_intersections(surface.soup, kCrossingsLookedAt).first)
+    //! Contours where the surface would cross itself: first where it does when quickly made, then where no other way of joining
+    //! mends it, or where that would be too far from the mesh.
+    void mend() {
+        bool is_mended = false;
+        const std::size_t rounds = options_.crossing_rounds + (far_ ? kNearRounds : 0);
+        for (std::size_t round = 0; round < rounds; ++round) {
+            is_mended = is_mended || round >= kQuickRounds;
+            const ConstructedSurface surface =
+                surface_of_graph(result_, {.avoid_crossings = is_mended, .fairing = is_mended});
+            std::size_t added = 0;
+            if (!is_mended || !surface.crossings.empty())
+                added += add_contours_between(crossing_places(surface), kHalf);
+            else if (far_)
+                added += add_contours_between(far_places(surface), kNearEnd);
+            if (added > 0)
+                add_edges();
+            else if (is_mended)
+                return;
+            else
+                is_mended = true;
+        }
+    }
+
+    std::set<GraphPlace> crossing_places(const ConstructedSurface& surface) const {
+        std::set<GraphPlace> places;
+        for (const auto& pair : surface_crossings(surface.soup, kCrossingsLookedAt).first)
             for (const std::uint32_t t : pair) {
                 const auto& [a, b, c] = surface.soup.triangles[t];
                 const auto& p = surface.soup.points;
@@ -303,20 +320,46 @@ class GraphOfMesh {
                 const auto above = std::ranges::lower_bound(contours_[e], z, {}, &LevelContour::z);
                 places.emplace(e, static_cast<std::size_t>(above - contours_[e].begin()));
             }
-        std::size_t added = 0;
-        for (const auto& [e, below] : std::views::reverse(places))  // from the top, so that numbers stay
-            added += add_contour_between(e, below);
-        return added > 0;
+        return places;
     }
 
-    bool add_contour_between(std::uint32_t e, std::size_t below) {
+    //! Where a surface is farther from the mesh than the tolerance, or the mesh from it.
+    std::set<GraphPlace> far_places(const ConstructedSurface& surface) const {
+        std::vector<std::vector<double>> heights;
+        for (const Contours& contours : contours_) {
+            heights.emplace_back();
+            for (const LevelContour& contour : contours) heights.back().push_back(contour.z);
+        }
+        return far_->beyond(kShareOfTolerance * options_.tolerance, surface, heights);
+    }
+
+    void come_near() {
+        for (std::size_t round = 0; round < kNearRounds; ++round) {
+            const ConstructedSurface surface = surface_of_graph(result_, {.avoid_crossings = false});
+            if (add_contours_between(far_places(surface), kNearEnd) == 0) return;
+            add_edges();
+        }
+    }
+
+    //! \param share of the way from a node to the next contour
+    std::size_t add_contours_between(const std::set<GraphPlace>& places, double share) {
+        std::size_t added = 0;
+        for (const auto& [e, below] : std::views::reverse(places))  // from the top, so that numbers stay
+            added += add_contour_between(e, below, share);
+        return added;
+    }
+
+    bool add_contour_between(std::uint32_t e, std::size_t below, double end_share) {
         const SweepEdge& edge = sweep_.edges[e];
         Contours& contours = contours_[e];
         const double bottom = lower_node(edge).value, top = upper_node(edge).value;
         const double low = below == 0 ? bottom : contours[below - 1].z,
                      high = below == contours.size() ? top : contours[below].z;
-        const double z = low + 0.5 * (high - low);
+        const bool is_first = below == 0, is_last = below == contours.size();
+        const double share = is_first == is_last ? kHalf : is_first ? end_share : 1 - end_share;
+        const double z = low + share * (high - low);
         if (!(high - low > kLeastGap * (top - bottom)) || !(low < z && z < high) ||
+            !(high - low > kLeastRise * std::max(std::abs(low), std::abs(high))) ||
             contours.size() >= options_.most_per_arc)
             return false;
         LevelContour contour = mesh_contours_.at(edge, z);
@@ -358,12 +401,19 @@ class GraphOfMesh {
         result_.edges.push_back(std::move(edge));
     }
 
+    static constexpr double kHalf = 0.5;
+    static constexpr double kNearEnd = 0.3;  // contours spread beside a node like the root of the height
+    static constexpr double kShareOfTolerance =
+        0.8;  // places between those asked, and joining otherwise, may be farther
+    static constexpr double kLeastRise = 1e-12;  // of heights: rounding would make edges fall
+    static constexpr std::size_t kNearRounds = 12;
     static constexpr std::size_t kQuickRounds = 2;
     static constexpr std::size_t kCrossingsLookedAt = 5000;  // pairs of triangles
     static constexpr double kMostCut = 0.05;                 // of a contour's length
     static constexpr double kLeastGap = 1e-3;                // of an edge's height, between contours
     static constexpr double kNearNode = 1e-6;  // of an edge's height: no contour within is closer to its ends
 
+    const TriMesh& mesh_;
     const MeshGraphOptions& options_;
     const std::size_t first_filled_;  // triangle, of those that close the mesh's boundaries
     const ScalarField field_;
@@ -371,6 +421,7 @@ class GraphOfMesh {
     const SweepGraph sweep_;
     const MeshContours mesh_contours_;
     const std::vector<double> levels_;
+    std::optional<FarPlaces> far_;    // if there is a tolerance
     std::vector<Contours> contours_;  // by edge, bottom to top
     EnhancedReebGraph result_;
 };

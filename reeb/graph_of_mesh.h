@@ -10,14 +10,14 @@ namespace stratareeb {
 
 struct MeshGraphOptions {
     std::size_t levels =
-        20;  // even levels over the whole height; an arc that none of them crosses gets one of its own
-    double tolerance =
-        0;  // > 0: further levels on an arc until a contour half way between two is no farther than this from what
-    // the homotopy makes there
+        20;  // even levels over the whole height, with more beside nodes (see graded_levels); an arc without any gets one of its own
+    // > 0: further levels where the surface made of the graph is farther from the mesh than this, or the mesh from it, caps and
+    // what is beside saddles included, as long as there is room for contours (a thousandth of an edge's height)
+    double tolerance = 0;
     std::size_t most_per_arc = 200;  // contours that tolerance may ask for
     HomotopyKind homotopy = HomotopyKind::Cardinal;
     std::size_t crossing_rounds =
-        4;  // times that the surface is made to see where it crosses itself and wants contours between
+        8;  // times that the surface is made to see where it crosses itself and wants contours between
 };
 
 //! The enhanced Reeb graph of a surface over height z: nodes at its critical points, contours at levels of each arc, edges through

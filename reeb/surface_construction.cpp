@@ -13,7 +13,6 @@
 
 #include "boreholes/errors.h"
 #include "mesh/ring_crossings.h"
-#include "mesh/self_intersection.h"
 #include "reeb/contour_alignment.h"
 #include "reeb/contour_touches.h"
 #include "reeb/critical_bouquet.h"
@@ -23,6 +22,7 @@
 #include "reeb/plan_sheet.h"
 #include "reeb/point_math.h"
 #include "reeb/strand_surface.h"
+#include "reeb/surface_crossings.h"
 #include "reeb/surface_fairing.h"
 
 namespace stratareeb {
@@ -126,7 +126,7 @@ class Construction {
             const std::uint32_t part = surface.triangle_part[triangle];
             return part < places_.size() ? places_[part] : Place{surface.triangle_edge[triangle], kFilling};
         };
-        for (const auto& [a, b] : self_intersections(surface.soup, kCrossingsLookedAt).first)
+        for (const auto& [a, b] : surface_crossings(surface.soup, kCrossingsLookedAt).first)
             pairs.emplace(std::minmax(place(a), place(b)));
         return pairs;
     }

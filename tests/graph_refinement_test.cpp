@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How near a surface comes to the mesh that its graph is of.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mesh/self_intersection.h"
+#include "mesh/surface_distance.h"
+#include "reeb/graded_levels.h"
+#include "reeb/graph_of_mesh.h"
+#include "reeb/surface_crossings.h"
+#include "reeb/surface_of_graph.h"
+#include "tests/shapes.h"
+
+namespace stratareeb {
+namespace {
+
+//! A little sheared, so that no two critical points have one height.
+TriangleSoup tilted(TriangleSoup soup) {
+    for (Point3& p : soup.points)
+        p = {p.x + 0.0077 * p.z, p.y - 0.0123 * p.z, p.z - 0.0077 * p.x + 0.0123 * p.y};
+    return soup;
+}
+
+TriangleSoup upright_torus() {
+    TriangleSoup torus = shapes::torus(3, 1, 120, 60);
+    for (Point3& p : torus.points) p = {p.y, p.z, p.x};
+    return tilted(torus);
+}
+
+TriangleSoup ellipsoid() {
+    TriangleSoup soup = shapes::uv_sphere(1, 90, 120);
+    for (Point3& p : soup.points) p = {3 * p.x + 0.8 * p.z, 2 * p.y, 1.5 * p.z};
+    return tilted(soup);
+}
+
+double farthest(const TriangleSoup& from, const TriangleSoup& to) {
+    return std::ranges::max(SurfaceDistance(to).of(surface_samples(from, 0.05)));
+}
+
+double hausdorff(const TriangleSoup& a, const TriangleSoup& b) {
+    return std::max(farthest(a, b), farthest(b, a));
+}
+
+TEST(GraphRefinement, tolerance_bounds_the_surface_with_caps_and_saddles) {
+    for (const auto& [name, soup] : std::vector<std::pair<std::string, TriangleSoup>>{
+             {"ellipsoid", ellipsoid()}, {"torus", upright_torus()}}) {
+        const TriMesh mesh = half_edge_mesh(soup);
+        std::size_t contours = 0;
+        for (const double tolerance : {0.2, 0.1}) {
+            const auto graph = graph_of_mesh(mesh, {.levels = 2, .tolerance = tolerance});
+            EXPECT_LE(hausdorff(soup, surface_of_graph(graph).soup), tolerance) << name;
+            EXPECT_GE(graph.contours.size(), contours);
+            contours = graph.contours.size();
+        }
+    }
+}
+
+// Doubling the levels three times divides a distance of second order by 64 and one of first order by 8.
+TEST(GraphRefinement, smooth_shapes_come_nearer_faster_than_levels_grow) {
+    for (const TriangleSoup& soup : {ellipsoid(), upright_torus()}) {
+        const TriMesh mesh = half_edge_mesh(soup);
+        const auto error = [&](std::size_t levels) {
+            return hausdorff(soup, surface_of_graph(graph_of_mesh(mesh, {.levels = levels})).soup);
+        };
+        const double coarse = error(4), fine = error(32);
+        RecordProperty("order", std::to_string(std::log2(coarse / fine) / 3));
+        EXPECT_GT(std::log2(coarse / fine) / 3, 1.3) << coarse << " " << fine;
+    }
+}
+
+TEST(GradedLevels, are_squares_of_even_steps_beside_graded_ends) {
+    const std::vector<double> levels{10, 11, 12, 13, 14, 15, 16, 17, 18};  // 3 steps, spacing 1
+    const auto none = graded_levels(levels, 9.5, 14.5, {});
+    EXPECT_EQ(none, (std::vector<double>{10, 11, 12, 13, 14}));
+    const auto low = graded_levels(levels, 11.1, 15.9, {.low = true});
+    ASSERT_EQ(low.size(), 6u);
+    EXPECT_NEAR(low[0], 11.1 + 1 / 9.0, 1e-12);
+    EXPECT_NEAR(low[1], 11.1 + 4 / 9.0, 1e-12);
+    EXPECT_EQ(low[2], 12);
+    const auto both = graded_levels(levels, 11.1, 15.9, {.low = true, .high = true});
+    EXPECT_EQ(both.size(), 8u);
+    EXPECT_TRUE(std::ranges::is_sorted(both));
+    EXPECT_TRUE(graded_levels(levels, 11.2, 11.8, {.low = true, .high = true}).empty());
+    EXPECT_TRUE(graded_levels({}, 0, 1, {.low = true}).empty());
+}
+
+TEST(SurfaceCrossings, are_those_of_the_surface_as_it_is) {
+    TriangleSoup flat = shapes::joined(shapes::uv_sphere(1, 12, 16),
+                                       shapes::moved(shapes::uv_sphere(1, 12, 16), 0.7, 0.2, 0.1));
+    for (const double scale : {1.0, 1e-3, 1e-9}) {
+        TriangleSoup soup = flat;
+        for (Point3& p : soup.points) p.z *= scale;
+        const auto expected = self_intersections(soup, 1000), found = surface_crossings(soup, 1000);
+        EXPECT_GT(found.count, 0u);
+        EXPECT_EQ(found.count, expected.count);
+        EXPECT_EQ(found.first, expected.first);
+    }
+}
+
+}  // namespace
+}  // namespace stratareeb
