@@ -153,7 +153,10 @@ TEST(LayerRules, beds_on_a_base_are_cut_by_the_ground_where_they_come_out) {
     };
     const Survey survey = survey_of({"a", "b", "c"}, scattered(36, 11), horizons);
     LayerModelOptions options{
-        .rules = rules_of({LayerRule::Conformable, LayerRule::Conformable, LayerRule::Base}), .spacing = 20};
+        .interpolator = InterpolatorKind::NaturalNeighbour,
+
+        .rules = rules_of({LayerRule::Conformable, LayerRule::Conformable, LayerRule::Base}),
+        .spacing = 20};
     const LayerModel model = build_layer_model(survey, options);
     expect_sound(model, survey);
     const auto volumes = layer_volumes(model);
@@ -228,7 +231,10 @@ TEST(LayerRules, a_table_of_rules_is_read_by_its_header) {
 
 TEST(LayerRules, smooth_surfaces_keep_the_cuts) {
     const Survey survey = survey_of({"cover", "b", "c", "d"}, scattered(40, 7), eroded_beds);
-    LayerModelOptions options{.rules = rules_of({LayerRule::Erode}), .spacing_factor = 2, .ring_holes = true};
+    LayerModelOptions options{.interpolator = InterpolatorKind::NaturalNeighbour,
+                              .rules = rules_of({LayerRule::Erode}),
+                              .spacing_factor = 2,
+                              .ring_holes = true};
     const LayerModel smooth = refine_layers(build_layer_model(survey, options), {.levels = 2}).model;
     expect_sound(smooth, survey);
     const auto volumes = layer_volumes(smooth);
