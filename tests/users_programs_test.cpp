@@ -37,8 +37,8 @@ std::vector<LayerSolid> three_layers() {
     layers.push_back({1,
                       {"a", "made ground", "#c8a050"},
                       test::slab({.n = 20, .size = 1000, .top = wavy, .has_cell = holed})});
-    layers.push_back({2, {"b", "Argile à blocs", "#4060c0"}, islands});
-    layers.push_back({3, {"c", "lens", "#40a060"}, test::cone_lens(40, 5, 300, 4, 7)});
+    layers.push_back({2, 0, {"b", "Argile à blocs", "#4060c0"}, islands});
+    layers.push_back({3, 0, {"c", "lens", "#40a060"}, test::cone_lens(40, 5, 300, 4, 7)});
     return layers;
 }
 

@@ -84,7 +84,7 @@ class WritePicture : public testing::Test {
 };
 
 LayerSolid layer(const std::string& color, double top, double base, double size = 100) {
-    return {1, {"u", "unit", color}, slab({.n = 4, .size = size, .top = level(top), .base = level(base)})};
+    return {1, 0, {"u", "unit", color}, slab({.n = 4, .size = size, .top = level(top), .base = level(base)})};
 }
 
 const PictureOptions kSmall{.width = 480, .height = 300};
@@ -105,7 +105,7 @@ TEST_F(WritePicture, has_the_size_asked_for_on_white) {
 }
 
 TEST_F(WritePicture, every_layer_shows_in_its_colour_and_an_absent_one_does_not) {
-    const LayerSolid absent{2, {"b", "absent", "#0000ff"}, {}};
+    const LayerSolid absent{2, 0, {"b", "absent", "#0000ff"}, {}};
     const auto image = draw({layer("#ff0000", 0, -20), absent, layer("#00ff00", -20, -50)}, kSmall);
     EXPECT_GT(extent(image, Hue::Red).pixels, 5000);
     EXPECT_GT(extent(image, Hue::Green).pixels, 1000);
@@ -182,7 +182,7 @@ TEST_F(WritePicture, the_same_input_gives_the_same_bytes) {
 }
 
 TEST_F(WritePicture, odd_models_are_drawn) {
-    const LayerSolid lens{1, {"l", std::string(300, 'x'), ""}, test::cone_lens(24, 4, 1e6, 1e-3, 1e-3)};
+    const LayerSolid lens{1, 0, {"l", std::string(300, 'x'), ""}, test::cone_lens(24, 4, 1e6, 1e-3, 1e-3)};
     EXPECT_GT(draw({lens}, kSmall).width, 0);
     auto straight_down = kSmall;
     straight_down.elevation_deg = 90;
