@@ -35,6 +35,7 @@ std::vector<LayerSolid> three_layers() {
     const auto holed = [](int i, int j) { return i < 8 || i > 11 || j < 5 || j > 9; };
     std::vector<LayerSolid> layers;
     layers.push_back({1,
+                      0,
                       {"a", "made ground", "#c8a050"},
                       test::slab({.n = 20, .size = 1000, .top = wavy, .has_cell = holed})});
     layers.push_back({2, 0, {"b", "Argile à blocs", "#4060c0"}, islands});
