@@ -9,4 +9,5 @@ foreach(name unit packages build browser)
 endforeach()
 set_tests_properties(viewer.packages PROPERTIES FIXTURES_SETUP viewer_packages)
 set_tests_properties(viewer.build viewer.browser PROPERTIES FIXTURES_REQUIRED viewer_packages RESOURCE_LOCK viewer_copy)
-set_tests_properties(viewer.browser PROPERTIES COST 500)
+# It draws without a graphics card, on all cores.
+set_tests_properties(viewer.browser PROPERTIES COST 500 PROCESSORS 2)

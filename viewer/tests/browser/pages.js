@@ -70,8 +70,8 @@ export async function openPage(browser, place, { phone = false, fragment = '', d
   page.on('console', (message) => ['error', 'warning'].includes(message.type()) && page.said.push(message.text()));
   page.on('pageerror', (error) => page.said.push(error.message));
   page.on('request', (request) => page.asked.push(request.url()));
-  await page.goto(`file://${place}/model.html${fragment}`);
-  await page.waitForSelector('#app[aria-busy=false]', { timeout: 60000 });
+  await page.goto(`file://${place}/model.html${fragment}`, { timeout: 120000 });
+  await page.waitForSelector('#app[aria-busy=false]', { timeout: 120000 });
   await page.evaluate(inPage);
   return page;
 }
