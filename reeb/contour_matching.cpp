@@ -13,12 +13,13 @@ namespace stratareeb {
 
 namespace {
 
-constexpr std::size_t kLeastPlaces = 64, kMostPlaces = 384;  // on each contour
+constexpr std::size_t kLeastPlaces = 64, kMostPlaces = 128;  // on each contour; time grows with the square
 constexpr double kWindow = 1.5;    // places around a partner in which a nearer one is looked for
 constexpr double kRelaxation = 2;  // towards parameters by length, for a mean way of one perimeter
 constexpr double kLeastShare = 1e-4, kMostShare = 0.1;  // of parameters by length
 constexpr double kSame = 1e-9;                          // parameters
 constexpr double kMuchLess = 0.25;  // of the mean square by which ways from contour to contour differ
+constexpr double kAlike = 2e-3;     // of the perimeter: ways that differ by no more leave nothing to gain
 const double kBelowOne = std::nextafter(1.0, 0.0);
 
 double plan_square(const Point3& a, const Point3& b) {
@@ -174,9 +175,12 @@ SampledContour matched_contour(const SampledContour& first, const SampledContour
     b = with_origin(b, aligned_origin(a, b));
     const SampledContour plain = is_plain ? aligned : with_parameters_of(first, a, b, b.parameters);
     if (matching == Matching::ByLength) return plain;
-    const SampledContour shaped = with_parameters_of(first, a, b, partners_of_points(a, b));
-    const bool is_better = matching == Matching::ByShape ||
-                           spread_between(first, shaped) < kMuchLess * spread_between(first, plain);
+    const double spread = matching == Matching::ByShape ? HUGE_VAL : spread_between(first, plain);
+    const double alike = kAlike * perimeter(a.points);
+    if (spread < alike * alike) return plain;
+    SampledContour shaped = with_parameters_of(first, a, b, partners_of_points(a, b));
+    const bool is_better =
+        matching == Matching::ByShape || spread_between(first, shaped) < kMuchLess * spread;
     return is_better ? shaped : plain;
 }
 

@@ -9,9 +9,9 @@ namespace stratareeb {
 
 //! Which places of two contours belong together.
 enum class Matching {
-    Automatic,  // by shape where that halves how much ways from contour to contour differ (mean of squares), else by length
-    ByLength,  // see aligned_origin
-    ByShape,   // see contour_warp
+    Automatic,  // by shape where that cuts to a quarter how much ways from contour to contour differ (mean of squares), else by length
+    ByLength,   // see aligned_origin
+    ByShape,    // see contour_warp
 };
 
 //! The second contour with parameters that fit the first one's. By shape, what is before and after a bay or a tongue that one of
