@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -37,7 +38,7 @@ json block_json(const LayerModel& model, const VoxelBlock& block) {
     for (std::size_t i = 0; i < volumes.size(); ++i)
         result["layers"].push_back({{"layer", i + 1},
                                     {"code", model.units[i].code},
-                                    {"cells", static_cast<std::size_t>(volumes[i] / one + 0.5)},
+                                    {"cells", std::llround(volumes[i] / one)},
                                     {"volume", volumes[i]},
                                     {"exact_volume", exact[i]},
                                     {"error", volumes[i] - exact[i]}});

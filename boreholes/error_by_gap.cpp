@@ -47,7 +47,7 @@ ErrorByGap::ErrorByGap(std::span<const PlacedError> errors) {
 }
 
 //! Neighbouring classes of which the nearer has the larger errors become one.
-GapProfile ErrorByGap::rising(std::vector<Class> classes) {
+GapProfile ErrorByGap::rising(const std::vector<Class>& classes) {
     std::vector<Class> pooled;
     for (const Class& next : classes) {
         if (next.count <= 0) continue;

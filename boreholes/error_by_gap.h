@@ -41,7 +41,7 @@ class ErrorByGap {
         double gap = 0, size = 0;  // sums
         double count = 0;
     };
-    static GapProfile rising(std::vector<Class> classes);
+    static GapProfile rising(const std::vector<Class>& classes);
 
     std::vector<Class> classes_;
     std::map<std::size_t, std::vector<Class>> of_draw_;

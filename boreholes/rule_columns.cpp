@@ -70,8 +70,7 @@ class RuleCompletion {
                     end > s.first)
                     for (std::size_t i = s.first; i < end; ++i) cut_at_[i][h] = 1;
         }
-        for (std::size_t n = 0; n < result_.sequences.size(); ++n) {
-            const LayerSequence& s = result_.sequences[n];
+        for (const LayerSequence& s : result_.sequences) {
             for (std::size_t h = 0; h < holes_; ++h) {
                 const bool slack_below = s.anchored && !s.stands;
                 if (slack_below && !s.on_onlap && fact(h, s.last).is_absent()) cut_at_[s.last][h] = 1;

@@ -116,7 +116,7 @@ class NetCdf {
     std::shared_ptr<GDALDimension> axis(const char* name, const char* letter, const char* standard_name,
                                         std::size_t count, double first, double step,
                                         const std::string& length_unit) {
-        const auto dimension = root_->CreateDimension(name, "", "", count);
+        auto dimension = root_->CreateDimension(name, "", "", count);
         if (!dimension) fail(file_);
         const auto array = root_->CreateMDArray(name, {dimension}, GDALExtendedDataType::Create(GDT_Float64));
         if (!array) fail(file_);

@@ -20,7 +20,7 @@ class AppendedArrays {
     //! The attributes of one more array of so many bytes.
     std::string add(std::string_view type, std::string_view name, std::size_t bytes,
                     std::size_t components = 1) {
-        const std::string attributes =
+        std::string attributes =
             fmt::format("type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"",
                         type, name, components, offset_);
         offset_ += sizeof(std::uint64_t) + bytes;

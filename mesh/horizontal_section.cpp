@@ -37,8 +37,8 @@ class LevelCut {
     //! How many horizons lie at the level or above, by vertex: horizons are in order, so it is the first that many.
     void count_above() {
         above_.resize(plan_.n_vertices());
-        for (std::size_t k = 0; k < model_.horizons.size(); ++k)
-            for (std::size_t v = 0; v < above_.size(); ++v) above_[v] += model_.horizons[k][v] >= z_;
+        for (const std::vector<double>& horizon : model_.horizons)
+            for (std::size_t v = 0; v < above_.size(); ++v) above_[v] += horizon[v] >= z_;
     }
 
     static std::size_t index(TriMesh::VertexHandle v) { return static_cast<std::size_t>(v.idx()); }

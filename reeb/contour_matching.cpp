@@ -166,14 +166,14 @@ SampledContour by_length(const SampledContour& contour) {
 }  // namespace
 
 SampledContour matched_contour(const SampledContour& first, const SampledContour& second, Matching matching) {
-    const SampledContour aligned = with_origin(second, aligned_origin(first, second));
+    SampledContour aligned = with_origin(second, aligned_origin(first, second));
     if (first.points.size() < 3 || second.points.size() < 3) return aligned;
     const SampledContour a = by_length(first);
     const bool is_plain = is_turned_only(first.parameters, a.parameters);
     if (is_plain && matching == Matching::ByLength) return aligned;
     SampledContour b = by_length(second);
     b = with_origin(b, aligned_origin(a, b));
-    const SampledContour plain = is_plain ? aligned : with_parameters_of(first, a, b, b.parameters);
+    SampledContour plain = is_plain ? aligned : with_parameters_of(first, a, b, b.parameters);
     if (matching == Matching::ByLength) return plain;
     const double spread = matching == Matching::ByShape ? HUGE_VAL : spread_between(first, plain);
     const double alike = kAlike * perimeter(a.points);

@@ -118,6 +118,7 @@ LayerModel control_of(const Survey& survey, double spacing = 40) {
     LayerModelOptions options;
     options.spacing = spacing;
     options.ring_holes = true;
+    options.interpolator = InterpolatorKind::NaturalNeighbour;  // it reproduces planes
     return build_layer_model(survey, options);
 }
 
