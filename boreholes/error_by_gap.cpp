@@ -82,7 +82,7 @@ GapProfile ErrorByGap::without(std::size_t draw) const {
         others[i].size -= own->second[i].size;
         others[i].count -= own->second[i].count;
     }
-    return rising(std::move(others));
+    return rising(others);
 }
 
 std::vector<double> gaps_to_other_draws(std::span<const Point2> know, std::span<const std::size_t> draw,
