@@ -30,7 +30,7 @@ export function modelFolder(name) {
   mkdirSync(folder, { recursive: true });
   mkdirSync(pictures, { recursive: true });
   rmSync(place, { recursive: true, force: true });
-  run('build', ...kTables[name], '-o', place, '--quiet');
+  run('build', ...kTables[name], '-o', place, '--interpolator', 'natural', '--quiet');
   run('view', place, '--title', name);
   return place;
 }

@@ -49,6 +49,7 @@ test('a borehole says its interval under the pointer and shows its log when clic
   assert.equal(await page.locator('.card h2').first().textContent(), 'GBH04');
   const rows = await page.locator('.card tbody tr').allTextContents();
   assert.deepEqual(rows, ['topsoil0.000.70', 'made_ground0.706.40', 'clay6.4010.00', 'rock10.00>11.20']);
+  await page.waitForSelector('.hole-tag:not([hidden])'); // with the next frame
   assert.equal(await page.locator('.hole-tag').textContent(), 'GBH04');
   await keep('log');
   await page.keyboard.press('Escape');
