@@ -70,6 +70,12 @@ std::vector<double> round_levels(const ScalarField& field, double interval) {
     return levels;
 }
 
+//! The same everywhere but for rounding: its lines would be noise.
+bool is_level(double low, double high) {
+    constexpr double kRounding = 1e-9;
+    return !(high - low > kRounding * std::max(std::abs(low), std::abs(high)));
+}
+
 }  // namespace
 
 std::vector<double> mapped_field(const LayerModel& model, MapSubject subject, std::size_t layer) {
@@ -98,14 +104,16 @@ double suitable_interval(const std::vector<double>& field, const std::vector<cha
             low = std::min(low, field[v]);
             high = std::max(high, field[v]);
         }
-    return high > low ? round_step((high - low) / kLines) : 1;
+    return is_level(low, high) ? 1 : round_step((high - low) / kLines);
 }
 
 std::vector<ContourLine> contour_lines(const LayerModel& model, MapSubject subject, std::size_t layer,
                                        double interval) {
     const PartOfPlan part = part_of(model, subject, layer);
-    const std::vector<double> levels = round_levels(part.field, interval);
     std::vector<ContourLine> lines;
+    const auto [low, high] = std::ranges::minmax(part.field);
+    if (is_level(low, high)) return lines;
+    const std::vector<double> levels = round_levels(part.field, interval);
     if (levels.empty()) return lines;
     for (const LevelSet& set : level_sets(part.mesh, part.field, levels))
         for (const Contour& contour : set.contours) {

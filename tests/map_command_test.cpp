@@ -58,6 +58,15 @@ TEST(PlanAreas, units_at_the_ground_tile_the_plan) {
     }
 }
 
+TEST(ContourLines, of_what_is_the_same_everywhere_but_for_rounding_are_none) {
+    LayerModel model = random_model(3);
+    auto& ground = model.horizons[0];
+    for (std::size_t v = 0; v < ground.size(); ++v) ground[v] = 1000 + 1e-12 * static_cast<double>(v % 7);
+    EXPECT_EQ(suitable_interval(ground, {}), 1);
+    EXPECT_TRUE(contour_lines(model, MapSubject::Ground, 0, 1).empty());
+    EXPECT_TRUE(contour_lines(model, MapSubject::Ground, 0, 2e-13).empty());
+}
+
 TEST(PlanAreas, the_topmost_unit_is_the_one_of_the_column) {
     const LayerModel model = random_model(3);
     const auto areas = geological_map(model);
