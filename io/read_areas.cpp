@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "boreholes/errors.h"
+#include "io/feature_geometries.h"
 #include "io/quiet_gdal.h"
 #include "io/read_footprint.h"
 #include "mesh/ring_stitching.h"
@@ -83,22 +84,12 @@ bool is_table_file(const std::string& path) {
 
 std::vector<std::vector<Point2>> read_areas(const std::string& path) {
     if (is_table_file(path)) return read_footprint(path);
-    GDALAllRegister();
     const QuietErrors quiet;
-    const GDALDatasetUniquePtr dataset(
-        GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
-    if (!dataset) throw IoError(fmt::format("{}: not a file of polygons that can be opened", path));
     OGRMultiPolygon all;
-    for (int i = 0; i < dataset->GetLayerCount(); ++i) {
-        OGRLayer& layer = *dataset->GetLayer(i);
-        layer.ResetReading();
-        while (const std::unique_ptr<OGRFeature> feature{layer.GetNextFeature()})
-            if (const OGRGeometry* geometry = feature->GetGeometryRef()) {
-                const std::unique_ptr<OGRGeometry> linear(geometry->getLinearGeometry());
-                linear->flattenTo2D();
-                add_parts(*linear, all, path);
-            }
-    }
+    for_each_geometry(path, "polygons", [&](OGRGeometry& geometry) {
+        geometry.flattenTo2D();
+        add_parts(geometry, all, path);
+    });
     if (all.IsEmpty()) throw InvalidInput(path + ": no polygon in it");
     const std::unique_ptr<OGRGeometry> dissolved(all.UnionCascaded());
     if (!dissolved) throw InvalidInput(fmt::format("{}: {}", path, CPLGetLastErrorMsg()));

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/read_faults.h"
 
-#include <fmt/format.h>
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
-#include <memory>
-
 #include "boreholes/errors.h"
-#include "io/quiet_gdal.h"
+#include "io/feature_geometries.h"
 
 namespace stratareeb {
 
@@ -42,21 +39,8 @@ void add_lines(const OGRGeometry& geometry, Traces& traces) {
 }  // namespace
 
 std::vector<std::vector<Point2>> read_faults(const std::string& path) {
-    GDALAllRegister();
-    const QuietErrors quiet;
-    const GDALDatasetUniquePtr dataset(
-        GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
-    if (!dataset) throw IoError(fmt::format("{}: not a file of lines that can be opened", path));
     Traces traces;
-    for (int i = 0; i < dataset->GetLayerCount(); ++i) {
-        OGRLayer& layer = *dataset->GetLayer(i);
-        layer.ResetReading();
-        while (const std::unique_ptr<OGRFeature> feature{layer.GetNextFeature()})
-            if (const OGRGeometry* geometry = feature->GetGeometryRef()) {
-                const std::unique_ptr<OGRGeometry> linear(geometry->getLinearGeometry());
-                add_lines(*linear, traces);
-            }
-    }
+    for_each_geometry(path, "lines", [&](const OGRGeometry& geometry) { add_lines(geometry, traces); });
     if (traces.empty())
         throw InvalidInput(
             path + ": no line in it; fault traces are lines (in a CSV table, a column WKT holds them)");

@@ -7,28 +7,17 @@
 #include <array>
 #include <cmath>
 
-#include "boreholes/random_survey.h"
 #include "mesh/analysis.h"
 #include "mesh/model_column.h"
 #include "mesh/ring_stitching.h"
 #include "reeb/contour_nesting.h"
 #include "reeb/level_set.h"
+#include "tests/random_model.h"
 
 namespace stratareeb {
 namespace {
 
-LayerModel random_model(std::uint64_t seed) {
-    LayerModelOptions options;
-    if (seed % 3 == 0) options.spacing = 0;
-    return build_layer_model(random_survey({.holes = 30,
-                                            .layers = 4,
-                                            .seed = seed,
-                                            .truth = seed % 2 ? TruthKind::Random : TruthKind::Lens,
-                                            .pinch_outs = true,
-                                            .resolution = seed % 4 ? 0.001 : 1.0,
-                                            .zero_share = 0.3}),
-                             options);
-}
+using test::random_model;
 
 std::array<double, 2> range_of(const LayerModel& model) {
     return {*std::ranges::min_element(model.horizons.back()) + model.origin.z,

@@ -11,7 +11,6 @@
 #include <set>
 
 #include "boreholes/errors.h"
-#include "boreholes/random_survey.h"
 #include "io/read_mesh.h"
 #include "mesh/analysis.h"
 #include "mesh/fence_mesh.h"
@@ -20,6 +19,7 @@
 #include "mesh/slabs.h"
 #include "mesh/thickness_regions.h"
 #include "tests/grid_model.h"
+#include "tests/random_model.h"
 #include "tests/run_program.h"
 
 namespace stratareeb {
@@ -29,19 +29,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using test::constant;
 using test::grid_model;
-
-LayerModel random_model(std::uint64_t seed) {
-    LayerModelOptions options;
-    if (seed % 3 == 0) options.spacing = 0;
-    return build_layer_model(random_survey({.holes = 30,
-                                            .layers = 4,
-                                            .seed = seed,
-                                            .truth = seed % 2 ? TruthKind::Random : TruthKind::Lens,
-                                            .pinch_outs = true,
-                                            .resolution = seed % 4 ? 0.001 : 1.0,
-                                            .zero_share = 0.3}),
-                             options);
-}
+using test::random_model;
 
 TEST(ClearLevel, is_the_nearest_that_keeps_the_distance) {
     std::mt19937 random(7);
