@@ -157,11 +157,14 @@ HomotopyOptions read_homotopy(const JsonItem& item) {
         return options;
     }
     if (!item.need_object("a name such as \"linear\", or an object with its \"kind\"")) return options;
-    item.know_keys(Words{"kind", "direction", "tension", "a", "b"});
+    item.know_keys(Words{"kind", "pace", "direction", "tension", "a", "b"});
     if (const auto kind = item.need("kind")) options.kind = read_homotopy_kind(*kind);
     if (const auto direction = item.find("direction"))
         if (const auto name = word(*direction, {"upward", "downward"}); name && *name == "downward")
             options.direction = HomotopyDirection::Downward;
+    if (const auto pace = item.find("pace"))
+        if (const auto name = word(*pace, {"even", "round"}); name && *name == "round")
+            options.pace = HomotopyPace::Round;
     read_number(item, "tension", options.tension);
     read_number(item, "a", options.a);
     read_number(item, "b", options.b);

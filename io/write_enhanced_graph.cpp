@@ -204,6 +204,7 @@ class GraphText {
             return;
         }
         print(", \"homotopy\": {{\"kind\": \"{}\"", homotopy_name(options.kind));
+        if (options.pace != plain.pace) print(", \"pace\": \"round\"");
         if (options.direction != plain.direction) print(", \"direction\": \"downward\"");
         if (options.tension != plain.tension) print_number("tension", options.tension);
         if (options.a != plain.a) print_number("a", options.a);

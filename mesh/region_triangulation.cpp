@@ -154,6 +154,7 @@ class RegionMesher {
         struct Candidate {
             double excess;
             Place place, centroid;
+            Face near;  // it may turn into another one there, but stays one
         };
         const std::size_t most = count_ + options_.most_added;
         for (std::size_t pass = 0; pass < kPasses && count_ < most; ++pass) {
@@ -164,7 +165,7 @@ class RegionMesher {
                 const double radius = distance(center, face->vertex(0)->point()),
                              size = size_at(center, face);
                 if (radius > kLargestRadius * size)
-                    candidates.push_back({radius / size, center, centroid(face)});
+                    candidates.push_back({radius / size, center, centroid(face), face});
             }
             std::ranges::sort(candidates, [](const Candidate& a, const Candidate& b) {
                 return std::tuple(-a.excess, a.place.x(), a.place.y()) <
@@ -172,7 +173,8 @@ class RegionMesher {
             });
             const std::uint32_t before = count_;
             for (const Candidate& candidate : candidates)
-                if (count_ < most && !insert_if_free(candidate.place)) insert_if_free(candidate.centroid);
+                if (count_ < most && !insert_if_free(candidate.place, candidate.near))
+                    insert_if_free(candidate.centroid, candidate.near);
             if (count_ == before) return;
         }
     }
@@ -182,13 +184,12 @@ class RegionMesher {
     }
 
     //! Unless it is outside, or close to a corner or a ring's edge.
-    bool insert_if_free(const Place& place) {
+    bool insert_if_free(const Place& place, Face near) {
         if (!std::isfinite(place.x()) || !std::isfinite(place.y())) return false;
         Triangulation::Locate_type type{};
         int corner = 0;
-        const Face face = plane_.locate(place, type, corner, last_);
+        const Face face = plane_.locate(place, type, corner, near);
         if (plane_.is_infinite(face) || face->info() != kInside) return false;
-        last_ = face->vertex(0)->face();
         const double size = size_at(place, face);
         for (int i = 0; i < 3; ++i) {
             if (distance(place, face->vertex(i)->point()) < kLeastDistance * size) return false;
@@ -240,7 +241,6 @@ class RegionMesher {
     RegionTriangulationOptions options_;
     Triangulation plane_;
     std::uint32_t count_ = 0;
-    Face last_{};
 };
 
 }  // namespace

@@ -59,13 +59,15 @@ SelfIntersections merged(SelfIntersections a, const SelfIntersections& b, std::s
 // are stored.
 class BoxTree {
  public:
-    BoxTree(const TriangleSoup& soup, std::size_t named) : contact_(soup), named_(named) {
+    BoxTree(const TriangleSoup& soup, const std::vector<bool>* asked, std::size_t named)
+        : contact_(soup), asked_(asked), named_(named) {
         boxes_.resize(soup.triangles.size());
         for (std::uint32_t t = 0; t < boxes_.size(); ++t) {
             boxes_[t] = box_of(soup, t);
             if (!contact_.is_degenerate(t)) order_.push_back(t);
         }
         node_boxes_.resize(2 * order_.size() + 2);
+        node_is_asked_.resize(asked_ ? node_boxes_.size() : 0, false);
         if (!order_.empty()) build({0, order_.size(), 0});
     }
 
@@ -87,6 +89,9 @@ class BoxTree {
         Box box = kNothing;
         for (auto i = node.begin; i < node.end; ++i) box.include(boxes_[order_[i]]);
         node_boxes_[node.id] = box;
+        if (asked_)
+            for (auto i = node.begin; i < node.end && !node_is_asked_[node.id]; ++i)
+                node_is_asked_[node.id] = (*asked_)[order_[i]];
         if (node.is_leaf()) return;
         int axis = 0;
         for (int k = 1; k < 3; ++k)
@@ -108,8 +113,11 @@ class BoxTree {
         g();
     }
 
+    bool is_asked(Node node) const { return !asked_ || node_is_asked_[node.id]; }
+
     SelfIntersections within(Node node) const {
         SelfIntersections found;
+        if (!is_asked(node)) return found;
         if (node.is_leaf()) {
             for (auto i = node.begin; i < node.end; ++i)
                 for (auto j = node.begin; j < i; ++j) test(order_[i], order_[j], found);
@@ -123,6 +131,7 @@ class BoxTree {
     }
 
     void between(Node a, Node b, SelfIntersections& found) const {
+        if (!is_asked(a) && !is_asked(b)) return;
         if (!node_boxes_[a.id].meets(node_boxes_[b.id])) return;
         if (a.is_leaf() && b.is_leaf()) {
             for (auto i = a.begin; i < a.end; ++i)
@@ -137,6 +146,7 @@ class BoxTree {
     }
 
     void test(std::uint32_t s, std::uint32_t t, SelfIntersections& found) const {
+        if (asked_ && !(*asked_)[s] && !(*asked_)[t]) return;
         if (!boxes_[s].meets(boxes_[t])) return;
         const auto [low, high] = std::minmax(s, t);
         if (!contact_.meet(low, high)) return;
@@ -149,16 +159,23 @@ class BoxTree {
     }
 
     TriangleContact contact_;
+    const std::vector<bool>* asked_;  // by triangle; all, if there is none
     std::size_t named_;
     std::vector<Box> boxes_;            // per triangle
     std::vector<std::uint32_t> order_;  // triangles with area, neighbours in space near each other
     std::vector<Box> node_boxes_;
+    std::vector<char> node_is_asked_;  // no bits: nodes are built side by side
 };
 
 }  // namespace
 
 SelfIntersections self_intersections(const TriangleSoup& soup, std::size_t named) {
-    return BoxTree(soup, named).self();
+    return BoxTree(soup, nullptr, named).self();
+}
+
+SelfIntersections self_intersections_of(const TriangleSoup& soup, const std::vector<bool>& asked,
+                                        std::size_t named) {
+    return BoxTree(soup, &asked, named).self();
 }
 
 }  // namespace stratareeb

@@ -26,4 +26,9 @@ inline constexpr std::size_t kNamedPairs = 3;
 //! \param named how many pairs to name
 SelfIntersections self_intersections(const TriangleSoup& soup, std::size_t named = kNamedPairs);
 
+//! Only pairs of which one triangle at least is asked for: quick where few are.
+//! \pre one entry of `asked` for each triangle
+SelfIntersections self_intersections_of(const TriangleSoup& soup, const std::vector<bool>& asked,
+                                        std::size_t named = kNamedPairs);
+
 }  // namespace stratareeb

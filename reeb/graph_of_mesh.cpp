@@ -28,7 +28,6 @@
 #include "reeb/mesh_contours.h"
 #include "reeb/monotone_edge.h"
 #include "reeb/reeb_graph.h"
-#include "reeb/surface_crossings.h"
 #include "reeb/surface_of_graph.h"
 #include "reeb/sweep_graph.h"
 
@@ -159,6 +158,8 @@ class GraphOfMesh {
                         p.x, p.y, p.z));
     }
 
+    bool is_round(std::uint32_t n) const { return result_.nodes[n].form == NodeForm::Point; }
+
     void add_contours_within(std::size_t e) {
         const SweepEdge& edge = sweep_.edges[e];
         const double low = lower_node(edge).value, high = upper_node(edge).value;
@@ -170,9 +171,8 @@ class GraphOfMesh {
             LevelContour contour = mesh_contours_.at(edge, z);
             if (make_sound(contour)) contours.push_back(std::move(contour));
         };
-        const auto is_graded = [&](std::uint32_t n) { return result_.nodes[n].form == NodeForm::Point; };
         for (const double z :
-             graded_levels(levels_, low, high, {.low = is_graded(edge.lower), .high = is_graded(edge.upper)}))
+             graded_levels(levels_, low, high, {.low = is_round(edge.lower), .high = is_round(edge.upper)}))
             add(z);
         for (double share = 0.5; contours.empty() && share > 1e-3; share /= 2) {
             add(low + share * (high - low));
@@ -203,30 +203,33 @@ class GraphOfMesh {
                 ++k;
                 continue;
             }
-            const bool crosses = gap > least_gap && crosses_between(contours, k);
+            const bool crosses = gap > least_gap && crosses_between(edge, contours, k);
             if (!crosses && options_.tolerance <= 0) {
                 ++k;
                 continue;
             }
             LevelContour middle = mesh_contours_.at(edge, z);
             if (!make_sound(middle) ||
-                (!crosses && deviation(middle.points, made_between(contours, k, 0.5)) <= options_.tolerance))
+                (!crosses &&
+                 deviation(middle.points, made_between(edge, contours, k, z)) <= options_.tolerance))
                 ++k;
             else
                 contours.insert(contours.begin() + static_cast<std::ptrdiff_t>(k) + 1, std::move(middle));
         }
     }
 
-    bool crosses_between(const Contours& contours, std::size_t k) const {
+    bool crosses_between(const SweepEdge& edge, const Contours& contours, std::size_t k) const {
         return std::ranges::any_of(std::array{0.25, 0.5, 0.75}, [&](double t) {
             std::vector<std::vector<Point2>> ring(1);
-            for (const Point3& p : made_between(contours, k, t)) ring[0].push_back({p.x, p.y});
+            const double z = contours[k].z + t * (contours[k + 1].z - contours[k].z);
+            for (const Point3& p : made_between(edge, contours, k, z)) ring[0].push_back({p.x, p.y});
             return !ring_crossings(ring, {.most = 1}).empty();
         });
     }
 
-    //! On the way from contour k to the next, by the contours around.
-    std::vector<Point3> made_between(const Contours& contours, std::size_t k, double t) const {
+    //! At a height between contour k and the next, by the contours around.
+    std::vector<Point3> made_between(const SweepEdge& edge, const Contours& contours, std::size_t k,
+                                     double z) const {
         const std::size_t first = k > 0 ? k - 1 : 0, last = std::min(k + 2, contours.size() - 1);
         std::vector<SampledContour> shapes;
         std::vector<double> heights;
@@ -234,8 +237,12 @@ class GraphOfMesh {
             shapes.push_back(contour_by_perimeter(contours[i].points));
             heights.push_back(contours[i].z);
         }
-        return ContourHomotopy(matched_contours(std::move(shapes)), heights, {.kind = options_.homotopy})
-            .contour(k - first, t)
+        const HeightScale scale(lower_node(edge).value, upper_node(edge).value, is_round(edge.lower),
+                                is_round(edge.upper));
+        const double below = scale.place(contours[k].z), above = scale.place(contours[k + 1].z);
+        return ContourHomotopy(matched_contours(std::move(shapes)), heights,
+                               {.kind = options_.homotopy, .pace = HomotopyPace::Round}, scale)
+            .contour(k - first, (scale.place(z) - below) / (above - below))
             .points;
     }
 
@@ -294,7 +301,7 @@ class GraphOfMesh {
         for (std::size_t round = 0; round < rounds; ++round) {
             is_mended = is_mended || round >= kQuickRounds;
             const ConstructedSurface surface =
-                surface_of_graph(result_, {.avoid_crossings = is_mended, .fairing = is_mended});
+                surface_of_graph(result_, {.avoid_crossings = is_mended, .fairing = is_mended}, &memory_);
             std::size_t added = 0;
             if (!is_mended || !surface.crossings.empty())
                 added += add_contours_between(crossing_places(surface), kHalf);
@@ -309,9 +316,9 @@ class GraphOfMesh {
         }
     }
 
-    std::set<GraphPlace> crossing_places(const ConstructedSurface& surface) const {
+    std::set<GraphPlace> crossing_places(const ConstructedSurface& surface) {
         std::set<GraphPlace> places;
-        for (const auto& pair : surface_crossings(surface.soup, kCrossingsLookedAt).first)
+        for (const auto& pair : memory_.crossings.of(surface.soup, kCrossingsLookedAt).first)
             for (const std::uint32_t t : pair) {
                 const auto& [a, b, c] = surface.soup.triangles[t];
                 const auto& p = surface.soup.points;
@@ -335,7 +342,8 @@ class GraphOfMesh {
 
     void come_near() {
         for (std::size_t round = 0; round < kNearRounds; ++round) {
-            const ConstructedSurface surface = surface_of_graph(result_, {.avoid_crossings = false});
+            const ConstructedSurface surface =
+                surface_of_graph(result_, {.avoid_crossings = false}, &memory_);
             if (add_contours_between(far_places(surface), kNearEnd) == 0) return;
             add_edges();
         }
@@ -380,7 +388,7 @@ class GraphOfMesh {
                           .curve = {},
                           .contours = {},
                           .homotopy = {}};
-        edge.homotopy.kind = options_.homotopy;
+        edge.homotopy = {.kind = options_.homotopy, .pace = HomotopyPace::Round};
         // A spline would swing out beside a saddle, where the last centre is far from the node.
         const bool between_leaves = is_leaf_point(edge.from) && is_leaf_point(edge.to);
         edge.curve.kind = between_leaves ? CurveKind::Cardinal : CurveKind::Polyline;
@@ -423,6 +431,7 @@ class GraphOfMesh {
     const std::vector<double> levels_;
     std::optional<FarPlaces> far_;    // if there is a tolerance
     std::vector<Contours> contours_;  // by edge, bottom to top
+    SurfaceMemory memory_;
     EnhancedReebGraph result_;
 };
 

@@ -21,11 +21,23 @@ double mean_distance(const SampledContour& a, const SampledContour& b) {
     return sum / static_cast<double>(s.size());
 }
 
+std::vector<double> places_of(const std::vector<double>& heights, const HeightScale& scale) {
+    std::vector<double> places;
+    for (const double height : heights) places.push_back(scale.place(height));
+    return places;
+}
+
 }  // namespace
 
 ContourHomotopy::ContourHomotopy(std::vector<SampledContour> contours, const std::vector<double>& heights,
                                  const HomotopyOptions& options)
     : ContourHomotopy(std::move(contours), heights, heights, options) {}
+
+ContourHomotopy::ContourHomotopy(std::vector<SampledContour> contours, const std::vector<double>& heights,
+                                 const HomotopyOptions& options, const HeightScale& scale)
+    : ContourHomotopy(std::move(contours), places_of(heights, scale), heights, options) {
+    scale_ = scale;
+}
 
 ContourHomotopy::ContourHomotopy(std::vector<SampledContour> contours, std::vector<double> places,
                                  std::vector<double> levels, const HomotopyOptions& options)
@@ -43,7 +55,10 @@ ContourHomotopy::ContourHomotopy(std::vector<SampledContour> contours, std::vect
 
 double ContourHomotopy::level(std::size_t interval, double t) const {
     const double low = levels_[interval], high = levels_[interval + 1];
-    return t == 1 ? high : low + t * (high - low);
+    if (t <= 0 || t >= 1) return t <= 0 ? low : high;
+    if (!scale_) return low + t * (high - low);
+    const double below = places()[interval], above = places()[interval + 1];
+    return std::clamp(scale_->height(below + t * (above - below)), low, high);
 }
 
 //! Sums of corresponding points, as differences from those of the lower contour: far from the origin nothing is lost.

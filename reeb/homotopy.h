@@ -2,17 +2,19 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "boreholes/point.h"
+#include "reeb/height_scale.h"
 #include "reeb/homotopy_weights.h"
 #include "reeb/sampled_contour.h"
 
 namespace stratareeb {
 
 //! The contours between given ones: H(s, t) for t from 0 to 1 in each interval between a contour and the next (thesis
-//! 2.1.1.4). Every point moves in plan by the weights of its kind; its height runs evenly with t, so that level contours
+//! 2.1.1.4). Every point moves in plan by the weights of its kind; its height runs evenly with t (or as a scale says), so that level contours
 //! stay level; what a tilted contour deviates from its level is mixed as x and y are. The given contours are
 //! met to the last bit. A contour of one point is the tip of a cap.
 class ContourHomotopy {
@@ -21,6 +23,9 @@ class ContourHomotopy {
     //! \throw InvalidInput if a contour is none, counts differ, there are fewer than two or heights don't rise.
     ContourHomotopy(std::vector<SampledContour> contours, const std::vector<double>& heights,
                     const HomotopyOptions& options = {});
+    //! The same over the places that the scale gives to heights.
+    ContourHomotopy(std::vector<SampledContour> contours, const std::vector<double>& heights,
+                    const HomotopyOptions& options, const HeightScale& scale);
     //! The same with other places than heights to run over: contour i is at places[i] and at height levels[i].
     ContourHomotopy(std::vector<SampledContour> contours, std::vector<double> places,
                     std::vector<double> levels, const HomotopyOptions& options);
@@ -54,6 +59,7 @@ class ContourHomotopy {
     std::vector<SampledContour> contours_;
     std::vector<double> levels_;
     HomotopyWeights weights_;
+    std::optional<HeightScale> scale_;        // of the heights between; else they run evenly
     std::vector<std::vector<Point3>> means_;  // one point per contour
 };
 

@@ -74,6 +74,17 @@ std::vector<ContourWeight> HomotopyWeights::of_two(std::size_t interval, double 
     return {{interval, 1 - start}, {interval + 1, start}};
 }
 
+//! The slope at a contour of the parabola through it and its neighbours, or through the three at the end; of two, of the line.
+std::vector<ContourWeight> HomotopyWeights::parabola_slope(std::size_t contour) const {
+    if (intervals() == 1) return {{0, -1 / step(0)}, {1, 1 / step(0)}};
+    const std::size_t i = std::clamp<std::size_t>(contour, 1, intervals() - 1);  // in the middle of the three
+    const double below = step(i - 1), above = step(i), both = below + above;
+    const double x = places_[contour] - places_[i];  // Lagrange's polynomials, differentiated there
+    return {{i - 1, (2 * x - above) / (below * both)},
+            {i, (above - below - 2 * x) / (below * above)},
+            {i + 1, (2 * x + below) / (above * both)}};
+}
+
 std::vector<ContourWeight> HomotopyWeights::of_four(std::size_t interval, double t) const {
     const std::size_t first = interval == 0 ? 0 : interval - 1, last = std::min(interval + 2, intervals());
     std::vector<ContourWeight> weights;
@@ -86,7 +97,14 @@ std::vector<ContourWeight> HomotopyWeights::of_four(std::size_t interval, double
         weights[j - first].weight += part;
     };
     const double from_start = t * (1 - t) * (1 - t), from_end = -t * t * (1 - t);  // Hermite's, of the slopes
-    if (options_.kind == HomotopyKind::Cardinal) {
+    const auto add_parabola_slope = [&](double share, std::size_t contour) {
+        for (const auto& [i, weight] : parabola_slope(contour))
+            weights[i - first].weight += share * h * weight;
+    };
+    if (options_.kind == HomotopyKind::Cardinal && options_.pace == HomotopyPace::Round) {
+        add_parabola_slope(2 * options_.tension * from_start, interval);
+        add_parabola_slope(2 * options_.tension * from_end, interval + 1);
+    } else if (options_.kind == HomotopyKind::Cardinal) {
         add_slope(2 * options_.tension * from_start, first, interval + 1);
         add_slope(2 * options_.tension * from_end, interval, last);
     } else {

@@ -17,8 +17,13 @@ std::optional<HomotopyKind> homotopy_kind(std::string_view name);
 //! Where parabola and quadrant start, that is, stand upright: at the lower contour of two, or at the upper.
 enum class HomotopyDirection { Upward, Downward };
 
+//! How heights go with the places that contours are mixed over. Even: they are the heights themselves, as in the thesis. Round: those
+//! of a HeightScale, for contours of smooth surfaces beside minima, maxima and saddles.
+enum class HomotopyPace { Even, Round };
+
 struct HomotopyOptions {
     HomotopyKind kind = HomotopyKind::NaturalCubic;
+    HomotopyPace pace = HomotopyPace::Even;
     HomotopyDirection direction = HomotopyDirection::Upward;
     double tension = 0.5;  // Cardinal: 1/2 takes straight strands and evenly spaced parabolas as they are
     double a = 0.5;        // Catmull-Rom: share of the next interval in the slope where an interval starts
@@ -38,7 +43,8 @@ struct ContourWeight {
 //! Linear, parabola and quadrant mix the two contours around: C0. Cardinal and Catmull-Rom (a = b) mix four: C1; their slopes
 //! are the thesis's where contours are evenly spaced, and divided by the spacing where they are not, without which they
 //! would not be C1 over height. Where four are lacking, a virtual contour mirrors the second in the first (or the last but
-//! one in the last). Natural cubic mixes all: C2, second derivative 0 at both ends; n contours have n - 1 pieces (the
+//! one in the last). A Cardinal one of round pace has the slopes of parabolas through three contours, at the ends too: what moves as a
+//! parabola comes back whatever the spacing (for tension 1/2; slopes are proportional to it). Natural cubic mixes all: C2, second derivative 0 at both ends; n contours have n - 1 pieces (the
 //! printed ranges have one too many); weights below 1e-18 are left out.
 class HomotopyWeights {
  public:
@@ -55,6 +61,7 @@ class HomotopyWeights {
  private:
     double step(std::size_t interval) const { return places_[interval + 1] - places_[interval]; }
     std::vector<ContourWeight> of_two(std::size_t interval, double t) const;
+    std::vector<ContourWeight> parabola_slope(std::size_t contour) const;
     std::vector<ContourWeight> of_four(std::size_t interval, double t) const;
     std::vector<ContourWeight> of_all(std::size_t interval, double t) const;
     std::vector<double> solved(std::vector<double> right_side) const;

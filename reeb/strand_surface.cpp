@@ -7,6 +7,7 @@
 #include "reeb/cap_profile.h"
 #include "reeb/contour_alignment.h"
 #include "reeb/contour_matching.h"
+#include "reeb/height_scale.h"
 #include "reeb/point_math.h"
 #include "reeb/sliding_homotopy.h"
 
@@ -18,7 +19,9 @@ using Kind = StrandEnd::Kind;
 
 const std::vector<SampledContour> kNoRows;
 
-constexpr double kSteepest = 2;  // rise over run of terrain, 63 degrees
+constexpr double kNotLonger = 0.25;  // of the mean interval, that one may be longer without more bands
+constexpr double kMostSteps = 8;     // times the bands of other intervals
+constexpr double kSteepest = 2;      // rise over run of terrain, 63 degrees
 
 //! The ring matched to a contour, with its vertices.
 Ring matched_ring(const SampledContour& below, const Ring& ring, Matching matching) {
@@ -47,17 +50,18 @@ double plan_area(const std::vector<Point3>& ring) {
 
 class StrandBuilder {
  public:
-    StrandBuilder(BandSurface& surface, const Strand& strand, std::size_t steps,
+    StrandBuilder(BandSurface& surface, const Strand& strand, std::size_t steps, SheetMemory& sheets,
                   const std::function<std::uint32_t(std::size_t)>& begin_place)
         : surface_(surface),
           strand_(strand),
           steps_(std::max<std::size_t>(steps, 1)),
+          sheets_(sheets),
           begin_place_(begin_place) {}
 
     std::size_t run() {
         collect_rings();
         align_rings();
-        if (rings_.size() > 1) make_homotopy();
+        make_homotopy();
         begin(0);
         add_end(strand_.bottom, false);
         for (std::size_t k = 0; k + 1 < rings_.size(); ++k) {
@@ -113,11 +117,52 @@ class StrandBuilder {
     }
 
     void make_homotopy() {
+        if (make_round_homotopy() || rings_.size() < 2) return;
         std::vector<SampledContour> shapes;
         for (const Ring& ring : rings_) shapes.push_back(ring.shape);
         homotopy_.emplace(std::move(shapes), heights_, strand_.homotopy);
         if (strand_.lean) lean_.emplace(*strand_.lean);
         if (lean_) sliding_.emplace(*homotopy_, *lean_);
+    }
+
+    //! Bands in an interval of the homotopy: more of them where a round one is longer than the others, which keeps chords short.
+    std::size_t steps_in(std::size_t interval) const {
+        if (!is_round_) return steps_;
+        const auto& places = homotopy_->places();
+        const double mean = (places.back() - places.front()) / static_cast<double>(homotopy_->intervals());
+        const double share = (places[interval + 1] - places[interval]) / mean;
+        return steps_ * static_cast<std::size_t>(std::clamp(std::ceil(share - kNotLonger), 1.0, kMostSteps));
+    }
+
+    //! Over the root of the height beside nodes, with tips as contours of one point. \return whether the strand wants that and has room
+    bool make_round_homotopy() {
+        if (strand_.homotopy.pace == HomotopyPace::Even || CapProfile::of(strand_.homotopy.kind))
+            return false;
+        std::vector<SampledContour> shapes;
+        std::vector<double> heights;
+        const auto add = [&](SampledContour shape, double height) {
+            shapes.push_back(std::move(shape));
+            heights.push_back(height);
+        };
+        const auto add_tip = [&](const StrandEnd& end) {
+            if (end.kind == Kind::Tip) add({.points = {end.node}, .parameters = {0}}, end.node.z);
+        };
+        add_tip(strand_.bottom);
+        for (std::size_t k = 0; k < rings_.size(); ++k) add(rings_[k].shape, heights_[k]);
+        add_tip(strand_.top);
+        if (shapes.size() < 2) return false;
+        const HeightScale scale(strand_.bottom.node.z, strand_.top.node.z, strand_.bottom.kind != Kind::Flat,
+                                strand_.top.kind != Kind::Flat);
+        for (std::size_t k = 1; k < heights.size(); ++k)
+            if (!(scale.place(heights[k - 1]) < scale.place(heights[k]))) return false;
+        homotopy_.emplace(std::move(shapes), heights, strand_.homotopy, scale);
+        is_round_ = true;
+        return true;
+    }
+
+    //! Of the homotopy, between a ring and the next.
+    std::size_t interval(std::size_t k) const {
+        return k + (is_round_ && strand_.bottom.kind == Kind::Tip ? 1 : 0);
     }
 
     bool is_bouquet(std::size_t k) const {
@@ -132,7 +177,7 @@ class StrandBuilder {
     //! goes on from there to the critical point, not to the ring's centre, so nothing leans along it.
     void add_between(std::size_t k) {
         const bool at_saddle = is_bouquet(k) || is_bouquet(k + 1);
-        const std::size_t steps = at_saddle ? std::max<std::size_t>(steps_, 3) : steps_;
+        const std::size_t steps = at_saddle ? std::max<std::size_t>(steps_, 3) : steps_in(interval(k));
         const bool is_gentle = strand_.is_terrain && !at_saddle && is_gentle_between(k);
         if ((join_ == Join::Sheet || (!join_ && is_gentle)) &&
             add_sheet({{&rings_[k], true}, {&rings_[k + 1], false}}, std::nullopt, group_))
@@ -140,8 +185,8 @@ class StrandBuilder {
         if (join_) ++straightened_;
         std::vector<SampledContour> between;
         if (!join_)
-            between = sliding_ && !at_saddle ? sliding_->contours_between(k, steps)
-                                             : homotopy_->contours_between(k, steps);
+            between = sliding_ && !at_saddle ? sliding_->contours_between(interval(k), steps)
+                                             : homotopy_->contours_between(interval(k), steps);
         else if (at_saddle && surface_.add_sound_band(rings_[k], rings_[k + 1], strand_.is_hole))
             return;
         else if (at_saddle)
@@ -184,7 +229,7 @@ class StrandBuilder {
             rings.push_back({ring->shape.points, is_lower, strand_.is_hole});
             vertices.insert(vertices.end(), ring->vertices.begin(), ring->vertices.end());
         }
-        const auto sheet = plan_sheet(rings, node, steps_);
+        const auto& sheet = sheets_.sheet(rings, node, steps_);
         if (!sheet) return false;
         surface_.add_sheet(*sheet, std::move(vertices), group);
         return true;
@@ -249,6 +294,7 @@ class StrandBuilder {
     //! width falls like a root.
     std::vector<SampledContour> cap_rows(const std::vector<Point3>& targets, const StrandEnd& end,
                                          bool is_top) const {
+        if (is_round_ && end.kind == Kind::Tip) return round_cap_rows(is_top);
         const Point3& node = end.node;
         const Ring& last = is_top ? rings_.back() : rings_.front();
         const double height = is_top ? heights_.back() : heights_.front();
@@ -272,6 +318,14 @@ class StrandBuilder {
         return rows;
     }
 
+    //! The tip is one of the homotopy's contours.
+    std::vector<SampledContour> round_cap_rows(bool is_top) const {
+        const std::size_t interval = is_top ? homotopy_->intervals() - 1 : 0;
+        std::vector<SampledContour> rows = homotopy_->contours_between(interval, steps_in(interval));
+        if (!is_top) std::ranges::reverse(rows);
+        return rows;
+    }
+
     //! The lean of SlidingHomotopy, between a tip and a contour.
     Point3 cap_slide(const Point3& tip, const Point3& mean, double x, double width, double z) const {
         if (!strand_.lean) return {};
@@ -286,10 +340,11 @@ class StrandBuilder {
         const double height = is_top ? heights_.back() : heights_.front(), rise = std::abs(height - node_z);
         if (!homotopy_) return single_slope(rise);
         constexpr double kStep = 1e-3;
-        const std::size_t interval = is_top ? homotopy_->intervals() - 1 : 0;
-        const SampledContour& contour = homotopy_->contours()[is_top ? interval + 1 : 0];
-        const auto beside = homotopy_->contour_at(contour.parameters, interval, is_top ? 1 - kStep : kStep);
-        const double way = kStep * (heights_[interval + 1] - heights_[interval]);
+        const std::size_t beside_end = is_top ? homotopy_->intervals() - 1 : 0;
+        const SampledContour& contour = homotopy_->contours()[is_top ? beside_end + 1 : 0];
+        const double t = is_top ? 1 - kStep : kStep;
+        const auto beside = homotopy_->contour_at(contour.parameters, beside_end, t);
+        const double way = std::abs(homotopy_->level(beside_end, t) - height);
         double growth = 0, square = 0;
         for (std::size_t i = 0; i < beside.size(); ++i) {
             const Point3 arm = contour.points[i] - targets[i], move = beside[i] - contour.points[i];
@@ -309,6 +364,7 @@ class StrandBuilder {
     BandSurface& surface_;
     const Strand& strand_;
     std::size_t steps_;
+    SheetMemory& sheets_;
     const std::function<std::uint32_t(std::size_t)>& begin_place_;
     std::uint32_t group_ = 0;   // of the place at hand
     std::optional<Join> join_;  // of the place at hand, if it is to be another than the homotopy's
@@ -316,15 +372,16 @@ class StrandBuilder {
     std::vector<Ring> rings_;  // given contours and rings at saddles that take part in the homotopy
     std::vector<double> heights_;
     std::optional<ContourHomotopy> homotopy_;
+    bool is_round_ = false;  // the homotopy: see make_round_homotopy
     std::optional<MonotoneEdge> lean_;
     std::optional<SlidingHomotopy> sliding_;
 };
 
 }  // namespace
 
-std::size_t add_strand(BandSurface& surface, const Strand& strand, std::size_t steps,
+std::size_t add_strand(BandSurface& surface, const Strand& strand, std::size_t steps, SheetMemory& sheets,
                        const std::function<std::uint32_t(std::size_t place)>& begin_place) {
-    return StrandBuilder(surface, strand, steps, begin_place).run();
+    return StrandBuilder(surface, strand, steps, sheets, begin_place).run();
 }
 
 }  // namespace stratareeb

@@ -11,6 +11,7 @@
 #include "reeb/band_surface.h"
 #include "reeb/curve.h"
 #include "reeb/homotopy_weights.h"
+#include "reeb/surface_memory.h"
 
 namespace stratareeb {
 
@@ -57,7 +58,7 @@ struct Strand {
 //! Add a strand's bands, `steps` between two contours; three at least beside a ring at a saddle, which may visit the critical point
 //! more than once. Tells of each place before its triangles come, and is told with which group those of a sheet there move.
 //! \return how many places were joined straight
-std::size_t add_strand(BandSurface& surface, const Strand& strand, std::size_t steps,
+std::size_t add_strand(BandSurface& surface, const Strand& strand, std::size_t steps, SheetMemory& sheets,
                        const std::function<std::uint32_t(std::size_t place)>& begin_place);
 
 }  // namespace stratareeb

@@ -22,7 +22,6 @@
 #include "reeb/plan_sheet.h"
 #include "reeb/point_math.h"
 #include "reeb/strand_surface.h"
-#include "reeb/surface_crossings.h"
 #include "reeb/surface_fairing.h"
 
 namespace stratareeb {
@@ -45,19 +44,16 @@ struct Remedies {
     std::map<EdgePlace, Join> joins;
 };
 
-//! By node: the sheet that is its, or that there is none. They are the same in all rounds.
-using Sheets = std::map<std::uint32_t, std::optional<PlanSheet>>;
-
 class Construction {
  public:
     using Place = EdgePlace;
 
     Construction(const EnhancedReebGraph& graph, const SurfaceOptions& options, const Remedies& remedies,
-                 Sheets& sheets)
+                 SurfaceMemory& memory)
         : graph_(graph),
           options_(options),
           remedies_(remedies),
-          sheets_(sheets),
+          memory_(memory),
           surface_(options.triangulation) {
         const auto shapes = strands_of(graph, options.samples);
         const auto is_hole = hole_edges(graph, shapes);
@@ -73,7 +69,8 @@ class Construction {
                                 .bottom = {.node = graph.nodes[edge.from].position, .group = edge.from},
                                 .top = {.node = graph.nodes[edge.to].position, .group = edge.to}});
             strands_.back().is_terrain = options.terrain && edge.curve.points.empty();
-            if (!edge.curve.points.empty()) strands_.back().lean = curve_of(graph, edge);
+            if (!edge.curve.points.empty() && edge.homotopy.pace == HomotopyPace::Even)
+                strands_.back().lean = curve_of(graph, edge);
             up_[edge.from].push_back(e);
             down_[edge.to].push_back(e);
         }
@@ -84,14 +81,15 @@ class Construction {
         for (std::uint32_t n = 0; n < graph_.nodes.size(); ++n) make_node(n);
         ConstructedSurface result;
         for (std::uint32_t e = 0; e < strands_.size(); ++e)
-            result.straightened += add_strand(surface_, strands_[e], options_.steps, [&](std::size_t place) {
-                const auto part = begin_place({e, place});
-                return static_cast<std::uint32_t>(graph_.nodes.size()) + part;
-            });
+            result.straightened +=
+                add_strand(surface_, strands_[e], options_.steps, memory_.sheets, [&](std::size_t place) {
+                    const auto part = begin_place({e, place});
+                    return static_cast<std::uint32_t>(graph_.nodes.size()) + part;
+                });
         for (const NodeSheet& sheet : node_sheets_) {
             const auto& [e, at] = sheet.place;
             begin_place({e, std::min(at, rings_of(strands_[e]))});
-            surface_.add_sheet(*sheets_.at(sheet.node), sheet.vertices, sheet.node);
+            surface_.add_sheet(*sheet.sheet, sheet.vertices, sheet.node);
         }
         result.soup = surface_.soup();
         if (options_.fairing) fair_surface(result.soup, surface_.free_vertices(), remedies_.rigid);
@@ -126,7 +124,7 @@ class Construction {
             const std::uint32_t part = surface.triangle_part[triangle];
             return part < places_.size() ? places_[part] : Place{surface.triangle_edge[triangle], kFilling};
         };
-        for (const auto& [a, b] : surface_crossings(surface.soup, kCrossingsLookedAt).first)
+        for (const auto& [a, b] : memory_.crossings.of(surface.soup, kCrossingsLookedAt).first)
             pairs.emplace(std::minmax(place(a), place(b)));
         return pairs;
     }
@@ -173,6 +171,7 @@ class Construction {
     //! A sheet at a node, and the vertices of its rings.
     struct NodeSheet {
         std::uint32_t node;
+        const PlanSheet* sheet;  // the memory's
         std::vector<std::uint32_t> vertices;
         Place place;
     };
@@ -221,23 +220,16 @@ class Construction {
 
     //! One height for each place between the contours around the node, where that can be.
     bool make_sheet(std::uint32_t n, const Side& lower, const Side& upper) {
-        const auto known = sheets_.find(n);
-        if (known != sheets_.end() && !known->second) return false;
-        if (known == sheets_.end()) {
-            std::vector<SheetRing> rings;
-            bool is_possible = true;
-            for (const Side& side : {lower, upper})
-                for (const std::uint32_t e : side.edges) {
-                    const StrandEnd& far = side.is_lower ? strands_[e].bottom : strands_[e].top;
-                    if (strands_[e].contours.size() == 1 && far.node.z == end_height(side, e))
-                        is_possible = false;
-                    rings.push_back({end_contour(side, e).points, side.is_lower, strands_[e].is_hole});
-                }
-            auto sheet =
-                is_possible ? plan_sheet(rings, graph_.nodes[n].position, options_.steps) : std::nullopt;
-            if (!sheets_.emplace(n, std::move(sheet)).first->second) return false;
-        }
-        NodeSheet sheet{.node = n, .vertices = {}, .place = {}};
+        std::vector<SheetRing> rings;
+        for (const Side& side : {lower, upper})
+            for (const std::uint32_t e : side.edges) {
+                const StrandEnd& far = side.is_lower ? strands_[e].bottom : strands_[e].top;
+                if (strands_[e].contours.size() == 1 && far.node.z == end_height(side, e)) return false;
+                rings.push_back({end_contour(side, e).points, side.is_lower, strands_[e].is_hole});
+            }
+        const auto& made = memory_.sheets.sheet(rings, graph_.nodes[n].position, options_.steps);
+        if (!made) return false;
+        NodeSheet sheet{.node = n, .sheet = &*made, .vertices = {}, .place = {}};
         for (const Side& side : {lower, upper})
             for (const std::uint32_t e : side.edges) {
                 const Ring ring = sheet_ring(side, e);
@@ -435,7 +427,7 @@ class Construction {
     const EnhancedReebGraph& graph_;
     const SurfaceOptions& options_;
     const Remedies& remedies_;
-    Sheets& sheets_;
+    SurfaceMemory& memory_;
     BandSurface surface_;
     std::vector<Strand> strands_;
     std::vector<NodeSheet> node_sheets_;
@@ -456,10 +448,11 @@ ConstructedSurface construct_surface(const EnhancedReebGraph& graph, const Surfa
                                      const SurfaceFinish& finish) {
     check_graph(graph);
     Remedies remedies;
-    Sheets sheets;
+    SurfaceMemory own;
+    SurfaceMemory& memory = finish.memory ? *finish.memory : own;
     std::optional<ConstructedSurface> best;  // with the fewest crossings so far
     for (std::size_t round = 1;; ++round) {
-        Construction construction(graph, options, remedies, sheets);
+        Construction construction(graph, options, remedies, memory);
         ConstructedSurface surface = construction.run();
         if (finish.run) finish.run(surface);
         if (!options.avoid_crossings) return surface;

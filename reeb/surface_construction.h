@@ -10,6 +10,7 @@
 #include "mesh/triangle_soup.h"
 #include "reeb/band_surface.h"
 #include "reeb/enhanced_reeb_graph.h"
+#include "reeb/surface_memory.h"
 
 namespace stratareeb {
 
@@ -54,10 +55,12 @@ struct ConstructedSurface {
 //! the way out.
 ConstructedSurface construct_surface(const EnhancedReebGraph& graph, const SurfaceOptions& options = {});
 
-//! What is to be done with a surface before it is asked where it crosses itself, and the graph that names places (it has the same edges).
+//! What is to be done with a surface before it is asked where it crosses itself, the graph that names places (it has the same edges), and what
+//! is known of surfaces made before.
 struct SurfaceFinish {
     std::function<void(ConstructedSurface&)> run = {};
     const EnhancedReebGraph* named = nullptr;
+    SurfaceMemory* memory = nullptr;
 };
 ConstructedSurface construct_surface(const EnhancedReebGraph& graph, const SurfaceOptions& options,
                                      const SurfaceFinish& finish);

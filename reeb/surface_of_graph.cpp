@@ -201,8 +201,9 @@ class Assembly {
 
 }  // namespace
 
-ConstructedSurface surface_of_graph(const EnhancedReebGraph& graph, const SurfaceOptions& options) {
-    if (!has_level_nodes(graph)) return construct_surface(graph, options);
+ConstructedSurface surface_of_graph(const EnhancedReebGraph& graph, const SurfaceOptions& options,
+                                    SurfaceMemory* memory) {
+    if (!has_level_nodes(graph)) return construct_surface(graph, options, {.memory = memory});
     check_graph(graph);
     const LevelPieces pieces = level_pieces(graph, options.samples);
     SurfaceOptions own = options;
@@ -210,7 +211,7 @@ ConstructedSurface surface_of_graph(const EnhancedReebGraph& graph, const Surfac
     const auto assemble = [&](ConstructedSurface& surface) {
         surface = Assembly(graph, pieces, std::move(surface)).run();
     };
-    return construct_surface(pieces.graph, own, {.run = assemble, .named = &graph});
+    return construct_surface(pieces.graph, own, {.run = assemble, .named = &graph, .memory = memory});
 }
 
 }  // namespace stratareeb

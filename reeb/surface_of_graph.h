@@ -13,6 +13,8 @@ namespace stratareeb {
 //! The surface is closed but for one boundary loop at each open node.
 //! \throw InvalidInput if faults_of(graph) finds any, as construct_surface does, or at a flat node whose contours fit no surface: where more
 //! than two pieces would meet in one side.
-ConstructedSurface surface_of_graph(const EnhancedReebGraph& graph, const SurfaceOptions& options = {});
+//! \param memory of surfaces of similar graphs; it saves time
+ConstructedSurface surface_of_graph(const EnhancedReebGraph& graph, const SurfaceOptions& options = {},
+                                    SurfaceMemory* memory = nullptr);
 
 }  // namespace stratareeb

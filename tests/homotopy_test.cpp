@@ -232,5 +232,56 @@ TEST(ContourHomotopy, strands_that_are_none_are_refused) {
     EXPECT_THROW(ContourHomotopy({one, SampledContour{}}, {0, 1}), InvalidInput);
 }
 
+TEST(HeightScale, is_its_own_inverse_and_rises) {
+    for (const bool low : {false, true})
+        for (const bool high : {false, true}) {
+            const HeightScale scale(1000, 1004, low, high);
+            EXPECT_EQ(scale.place(1000), 0);
+            EXPECT_EQ(scale.place(1004), 1);
+            EXPECT_EQ(scale.height(0), 1000);
+            EXPECT_EQ(scale.height(1), 1004);
+            double before = 0;
+            for (int i = 1; i < 200; ++i) {
+                const double z = 1000 + 4 * i / 200.0, place = scale.place(z);
+                EXPECT_GT(place, before);
+                EXPECT_NEAR(scale.height(place), z, 1e-11);
+                before = place;
+            }
+        }
+    EXPECT_NEAR(HeightScale(0, 1, true, false).place(0.09), 0.3, 1e-15);
+    EXPECT_NEAR(HeightScale(0, 1, false, true).place(0.91), 0.7, 1e-15);
+    EXPECT_NEAR(HeightScale(0, 1, true, true).place(0.25), 1 / 3.0, 1e-15);
+}
+
+// Of a sphere, contours over the round scale are r(p) = sin(pi p): far nearer than over heights, where they spread like a root.
+TEST(ContourHomotopy, of_round_pace_is_a_sphere_where_contours_are_of_one) {
+    std::vector<SampledContour> contours{{.points = {{0, 0, -1}}, .parameters = {0}}};
+    std::vector<double> heights{-1};
+    for (int i = 1; i < 8; ++i) {
+        const double z = -1 + 0.25 * i;
+        contours.push_back(contour_by_perimeter(ring(std::sqrt(1 - z * z), z)));
+        heights.push_back(z);
+    }
+    contours.push_back({.points = {{0, 0, 1}}, .parameters = {0}});
+    heights.push_back(1);
+    const auto farthest = [&](const ContourHomotopy& H) {
+        double most = 0;
+        for (std::size_t k = 0; k < H.intervals(); ++k)
+            for (int j = 1; j < 10; ++j)
+                for (const Point3& p : H.contour(k, j / 10.0).points)
+                    most = std::max(most, std::abs(std::hypot(p.x, p.y, p.z) - 1));
+        return most;
+    };
+    const HomotopyOptions round{.kind = HomotopyKind::Cardinal, .pace = HomotopyPace::Round};
+    const ContourHomotopy H(contours, heights, round, HeightScale(-1, 1, true, true));
+    EXPECT_LT(farthest(H), 5e-3);
+    EXPECT_GT(farthest(ContourHomotopy(contours, heights, {.kind = HomotopyKind::Cardinal})), 4e-2);
+    for (std::size_t k = 0; k < H.intervals(); ++k) {
+        EXPECT_EQ(H.contour(k, 0).points, contours[k].points);
+        EXPECT_EQ(H.level(k, 0), heights[k]);
+        EXPECT_EQ(H.level(k, 1), heights[k + 1]);
+    }
+}
+
 }  // namespace
 }  // namespace stratareeb

@@ -251,5 +251,41 @@ TEST(HomotopyWeights, places_that_do_not_rise_are_refused) {
     EXPECT_THROW(HomotopyWeights({1, 2}, {.tension = std::nan("")}), InvalidInput);
 }
 
+// Whatever the spacing, at the ends too; the cardinal one of even pace bends parabolas where contours are not evenly spaced.
+TEST(HomotopyWeights, of_round_pace_reproduce_parabolas) {
+    Random random(31);
+    for (int round = 0; round < 200; ++round) {
+        const auto places = random_places(random, 3 + random.below(6));
+        const double a = random.uniform(-1, 1), b = random.uniform(-1, 1), c = random.uniform(-1, 1);
+        const auto parabola = [&](double x) { return a + b * x + c * x * x; };
+        std::vector<double> values;
+        for (const double x : places) values.push_back(parabola(x));
+        const HomotopyWeights weights(places, {.kind = HomotopyKind::Cardinal, .pace = HomotopyPace::Round});
+        for (std::size_t k = 0; k < weights.intervals(); ++k)
+            for (const double t : {0.1, 0.5, 0.8}) {
+                const double x = places[k] + t * (places[k + 1] - places[k]);
+                EXPECT_NEAR(mix(weights, values, k, t), parabola(x), 1e-12);
+            }
+    }
+}
+
+TEST(HomotopyWeights, of_round_pace_leave_no_kink_and_take_two_contours_straight) {
+    Random random(32);
+    for (int round = 0; round < 50; ++round) {
+        const auto places = random_places(random, 4 + random.below(5));
+        const auto values = random_values(random, places.size());
+        const HomotopyWeights weights(places, {.kind = HomotopyKind::Cardinal, .pace = HomotopyPace::Round});
+        for (std::size_t k = 0; k + 1 < weights.intervals(); ++k) {
+            const double h = 1e-6, at = mix(weights, values, k + 1, 0),
+                         below = weights.places()[k + 1] - weights.places()[k],
+                         above = weights.places()[k + 2] - weights.places()[k + 1];
+            EXPECT_NEAR((at - mix(weights, values, k, 1 - h / below)) / h,
+                        (mix(weights, values, k + 1, h / above) - at) / h, 1e-3);
+        }
+    }
+    const HomotopyWeights two({1, 3}, {.kind = HomotopyKind::Cardinal, .pace = HomotopyPace::Round});
+    EXPECT_NEAR(mix(two, {10, 20}, 0, 0.3), 13, 1e-12);
+}
+
 }  // namespace
 }  // namespace stratareeb

@@ -199,5 +199,22 @@ TEST(SelfIntersection, far_from_the_origin_is_decided_exactly) {
     EXPECT_GT(self_intersections(shapes::joined(base, base)).count, 0u);
 }
 
+TEST(SelfIntersection, of_some_triangles_are_the_pairs_with_one_of_them) {
+    std::mt19937 random(9);
+    std::size_t total = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+        const auto soup = random_soup(random, 12, 30, 5);
+        std::vector<bool> asked(soup.triangles.size());
+        for (std::size_t t = 0; t < asked.size(); ++t) asked[t] = random() % 4 == 0;
+        auto expected = self_intersections(soup, 1000).first;
+        std::erase_if(expected, [&](const auto& pair) { return !asked[pair[0]] && !asked[pair[1]]; });
+        const auto found = self_intersections_of(soup, asked, 1000);
+        EXPECT_EQ(found.first, expected) << trial;
+        EXPECT_EQ(found.count, expected.size()) << trial;
+        total += expected.size();
+    }
+    EXPECT_GT(total, 200u);
+}
+
 }  // namespace
 }  // namespace stratareeb

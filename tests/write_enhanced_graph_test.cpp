@@ -100,6 +100,7 @@ EnhancedReebGraph random_graph(std::uint64_t seed) {
             edge.contours.push_back(static_cast<std::uint32_t>(numbers.below(12)));
         edge.homotopy.kind = static_cast<HomotopyKind>(i % 6);
         if (numbers.below(2) == 0) edge.homotopy.direction = HomotopyDirection::Downward;
+        if (numbers.below(2) == 0) edge.homotopy.pace = HomotopyPace::Round;
         if (numbers.below(2) == 0) edge.homotopy.tension = numbers.next();
         if (numbers.below(2) == 0) edge.homotopy.a = numbers.next();
         if (numbers.below(2) == 0) edge.homotopy.b = numbers.next();
