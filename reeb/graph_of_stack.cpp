@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 #include <span>
 
 #include "boreholes/errors.h"
 #include "reeb/inner_point.h"
 #include "reeb/ring_gap.h"
+#include "reeb/stack_cell.h"
 #include "reeb/stack_level.h"
 #include "reeb/stack_transition.h"
 
@@ -112,9 +115,13 @@ class Builder {
     void step(const StackLevel& lower, const StackLevel& upper, std::size_t l) {
         const std::uint32_t first_lower = l > 0 ? stack_.first[l - 1] : 0, first_upper = stack_.first[l];
         const StackTransitions transitions = stack_transitions(lower, upper, options_.least_share);
+        std::set<std::uint32_t> done;  // sheets
+        for (const StackTransition& cell : transitions.cells)
+            if (join_cell(cell, first_lower, first_upper)) done.insert(cell.sheet);
         std::vector<std::size_t> beside(transitions.pieces.size(), 0);  // pieces by sheet
         for (const StackTransition& piece : transitions.pieces) ++beside[piece.sheet];
         for (const StackTransition& piece : transitions.pieces) {
+            if (done.contains(piece.sheet)) continue;
             const bool alone = beside[piece.sheet] == 1;
             std::vector<std::uint32_t> below, above;
             for (const std::uint32_t r : piece.lower) below.push_back(first_lower + r);
@@ -129,7 +136,48 @@ class Builder {
                 branch(below, above, lower, upper);
         }
         for (const DroppedOverlap& drop : transitions.dropped)
-            result_.dropped.push_back({first_lower + drop.lower, first_upper + drop.upper, drop.share});
+            if (!done.contains(drop.sheet))
+                result_.dropped.push_back({first_lower + drop.lower, first_upper + drop.upper, drop.share});
+    }
+
+    //! Several contours and several, with what is between them. \return whether there is a way
+    bool join_cell(const StackTransition& cell, std::uint32_t first_lower, std::uint32_t first_upper) {
+        std::vector<std::uint32_t> contours;
+        std::vector<CellRing> rings;
+        for (const std::uint32_t r : cell.lower) contours.push_back(first_lower + r);
+        for (const std::uint32_t r : cell.upper) contours.push_back(first_upper + r);
+        for (std::size_t i = 0; i < contours.size(); ++i)
+            rings.push_back({stack_.contours[contours[i]].points, i < cell.lower.size()});
+        const auto graph =
+            cell_graph(rings, stack_.contours[contours.front()].z, stack_.contours[contours.back()].z);
+        if (!graph) return false;
+        const auto first_node = static_cast<std::uint32_t>(result_.graph.nodes.size());
+        for (const Point3& p : graph->nodes) add_node({p.x, p.y}, p.z);
+        const auto node = [&](std::uint32_t end) {
+            return first_node + end - static_cast<std::uint32_t>(rings.size());
+        };
+        for (const CellEdge& edge : graph->edges) {
+            std::vector<std::uint32_t> between;
+            for (const auto& points : edge.contours) {
+                between.push_back(add_contour({}));
+                result_.graph.contours.back().curve.closed = true;
+                result_.graph.contours.back().curve.points = points;
+            }
+            if (edge.from < rings.size()) {
+                node_above_[contours[edge.from]] = node(edge.to);
+                beyond_[contours[edge.from]] = between;
+            } else if (edge.to < rings.size()) {
+                node_below_[contours[edge.to]] = node(edge.from);
+                before_[contours[edge.to]] = between;
+            } else {
+                result_.graph.edges.push_back({.from = node(edge.from),
+                                               .to = node(edge.to),
+                                               .curve = {},
+                                               .contours = between,
+                                               .homotopy = options_.homotopy});
+            }
+        }
+        return true;
     }
 
     std::vector<std::vector<Point2>> rings_of(const std::vector<std::uint32_t>& contours) const {
@@ -140,13 +188,14 @@ class Builder {
 
     void end(const std::vector<std::uint32_t>& contours, double z, double beyond, bool alone,
              std::vector<std::uint32_t>& node_at, std::vector<std::uint32_t>& flat_at) {
-        const bool flat = options_.ends == StackEnds::Flat && contours.size() == 1;
+        const bool flat = (options_.ends == StackEnds::Flat && contours.size() == 1) || contours.size() > 2;
         const double share = !alone ? kShortHeight : flat ? kFlatHeight : kDomeHeight;
         const double height = z + share * beyond;
         const std::uint32_t node = add_node(inner_point(rings_of(contours)), height);
         for (const std::uint32_t c : contours) node_at[c] = node;
-        if (flat)
-            flat_at[contours.front()] = add_contour(ring_curve(stack_.contours[contours.front()], height));
+        if (!flat) return;
+        if (contours.size() > 1) result_.graph.nodes[node].form = NodeForm::Flat;
+        for (const std::uint32_t c : contours) flat_at[c] = add_contour(ring_curve(stack_.contours[c], height));
     }
 
     void branch(const std::vector<std::uint32_t>& below, const std::vector<std::uint32_t>& above,
@@ -167,12 +216,20 @@ class Builder {
             edge.from = node_below_[c];
             if (flat_below_[c] != kNone) edge.contours.push_back(flat_below_[c]);
             std::uint32_t last = c;
+            append(edge.contours, before_, c);
             edge.contours.push_back(last);
             while (next_[last] != kNone) edge.contours.push_back(last = next_[last]);
+            append(edge.contours, beyond_, last);
             edge.to = node_above_[last];
             if (flat_above_[last] != kNone) edge.contours.push_back(flat_above_[last]);
             result_.graph.edges.push_back(std::move(edge));
         }
+    }
+
+    using Between = std::map<std::uint32_t, std::vector<std::uint32_t>>;  // contours, by contour of the stack
+    static void append(std::vector<std::uint32_t>& contours, const Between& between, std::uint32_t c) {
+        const auto own = between.find(c);
+        if (own != between.end()) contours.insert(contours.end(), own->second.begin(), own->second.end());
     }
 
     //! They were made in order of the levels below them; ends under a level may be lower than ends over the one before.
@@ -186,6 +243,7 @@ class Builder {
             place[order[n]] = n;
             sorted[n].id = std::int64_t{n} + 1;
             sorted[n].position = nodes[order[n]].position;
+            sorted[n].form = nodes[order[n]].form;
         }
         nodes = std::move(sorted);
         for (EnhancedEdge& edge : result_.graph.edges) {
@@ -199,6 +257,7 @@ class Builder {
     StackGraph result_;
     // By contour of the stack: the one it goes on in, the nodes it starts and ends at, its copy at a flat end.
     std::vector<std::uint32_t> next_, node_below_, node_above_, flat_below_, flat_above_;
+    Between before_, beyond_;  // contours of a cell under and over one
 };
 
 }  // namespace

@@ -38,8 +38,9 @@ struct DroppedContourOverlap {
 
 struct StackGraph {
     EnhancedReebGraph graph;
-    std::vector<std::uint32_t> source;           // by contour: its place in the stack
-    std::vector<DroppedContourOverlap> dropped;  // where more contours meet than a merge or a division takes
+    std::vector<std::uint32_t> source;  // by contour: its place in the stack
+    std::vector<DroppedContourOverlap>
+        dropped;  // where more contours meet, and cross, than a merge or a division takes
     std::size_t levels = 0;
 };
 
@@ -48,8 +49,11 @@ struct StackGraph {
 //! to top; edges are straight.
 //! - Merges and divisions: halfway between both levels, in the gap between the contours that merge (ring_gap), where just
 //!   one of the levels is solid.
+//! - Where several contours become several others, and none crosses another in plan: saddles one by one, with contours between, as on
+//!   a harmonic surface (cell_graph).
 //! - Ends: over or under the contours that end, well inside what they enclose (inner_point). A ring that ends all at once, outer
-//!   contour and holes, has one node and as many edges; such ends have no contour at the node's height, with StackEnds::Flat either.
+//!   contour and holes, has one node and as many edges: with one hole it ends in a ridge
+//!   around that, with StackEnds::Flat too; with several it is closed flat.
 //! - What ends beside contours that overlap or touch it and go on, or end from the other side, ends before the middle.
 //! \throw InvalidInput as sorted_stack; if there is no contour; if there is a single level and no spacing; if the spacing is
 //! not a positive number.

@@ -161,7 +161,7 @@ StackTransitions stack_transitions(const StackLevel& lower, const StackLevel& up
     StackTransitions result;
     std::uint32_t number = 0;
     for (const auto& sheet : Sheets(lower, upper).all()) {
-        const std::size_t before = result.pieces.size();
+        const std::size_t before = result.pieces.size(), first_dropped = result.dropped.size();
         if (sheet.lower.size() == 1 && sheet.upper.size() == 1 && !sheet.crosses) {  // one lies in the other
             result.pieces.push_back({sheet.lower, sheet.upper, number++});
             continue;
@@ -181,6 +181,9 @@ StackTransitions stack_transitions(const StackLevel& lower, const StackLevel& up
         add_ends(lower, ending_below, sheet.lower, &StackTransition::lower, result.pieces);
         add_ends(upper, ending_above, sheet.upper, &StackTransition::upper, result.pieces);
         for (std::size_t p = before; p < result.pieces.size(); ++p) result.pieces[p].sheet = number;
+        for (std::size_t d = first_dropped; d < result.dropped.size(); ++d) result.dropped[d].sheet = number;
+        if (sheet.lower.size() > 1 && sheet.upper.size() > 1 && !sheet.crosses)
+            result.cells.push_back({sheet.lower, sheet.upper, number});
         ++number;
     }
     return result;

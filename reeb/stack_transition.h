@@ -21,6 +21,7 @@ struct StackTransition {
 struct DroppedOverlap {
     std::uint32_t lower = 0, upper = 0;
     double share = 0;  // of the overlap in what the smaller of both rings encloses
+    std::uint32_t sheet = 0;
 
     friend bool operator==(const DroppedOverlap&, const DroppedOverlap&) = default;
 };
@@ -28,6 +29,9 @@ struct DroppedOverlap {
 struct StackTransitions {
     std::vector<StackTransition> pieces;  // every ring is in one
     std::vector<DroppedOverlap> dropped;
+    std::vector<StackTransition>
+        cells;  // sheets between several rings and several, none of which crosses another: instead of
+                // their pieces, all become one another (see cell_graph)
 };
 
 constexpr double kLeastShare = 1e-9;  // of the smaller ring: what overlaps less touches, but for rounding
@@ -43,7 +47,8 @@ constexpr double kLeastShare = 1e-9;  // of the smaller ring: what overlaps less
 //! rest is dropped. Rings left without partner end: with the rings of their holes if these end too.
 //!
 //! Wrong where levels are too far apart to tell: what moves sideways by its own width between two levels (a
-//! slanted tip) ends and starts anew; and where one step should be two (a ring that breaks into two halves at once), one of them is dropped.
+//! slanted tip) ends and starts anew; and where rings that cross should take two steps (one that breaks into two halves at once), one of them is
+//! dropped.
 //! Time: n log n and the crossings, and for each ring the edges beside its leftmost point.
 StackTransitions stack_transitions(const StackLevel& lower, const StackLevel& upper,
                                    double least_share = kLeastShare);

@@ -6,9 +6,11 @@
 #include <random>
 
 #include "boreholes/errors.h"
+#include "mesh/analysis.h"
 #include "reeb/collapse_plateaus.h"
 #include "reeb/graph_conditions.h"
 #include "reeb/reeb_graph.h"
+#include "reeb/surface_of_graph.h"
 #include "tests/shapes.h"
 #include "tests/stack_cases.h"
 
@@ -194,6 +196,42 @@ TEST(GraphOfStack, weakest_overlap_goes_where_many_meet_many) {
     EXPECT_EQ(result.dropped[0].lower, 1u);
     EXPECT_EQ(result.dropped[0].upper, 2u);
     EXPECT_NEAR(result.dropped[0].share, 0.5 * 2 / 8, 1e-9);
+}
+
+// A square with a pit in it, and two hills or more above, or all upside down: several and several, none of which crosses another.
+// There are two saddles fewer than rings.
+TEST(GraphOfStack, several_become_several_by_one_saddle_after_the_other) {
+    const std::vector<StackContour> square{rectangle(0, 0, 0, 40, 40), circle(0, 12, 12, 4, 40)};
+    std::vector<StackContour> hills{circle(1, 28, 10, 5, 40), circle(1, 11, 28, 6, 40)};
+    for (const std::size_t more : {0u, 1u, 2u})
+        for (const bool is_turned : {false, true}) {
+            SCOPED_TRACE(std::to_string(more) + (is_turned ? " turned" : ""));
+            ContourStack stack{square};
+            for (const StackContour& ring : hills) stack.contours.push_back(ring);
+            if (more > 0) stack.contours.push_back(circle(1, 30, 30, 5, 40));
+            if (more > 1) stack.contours.push_back(circle(0, 24, 20, 1.5, 40));
+            const std::size_t rings = stack.contours.size();
+            if (is_turned)
+                for (StackContour& ring : stack.contours) ring.z = 1 - ring.z;
+            const StackGraph result = sound_graph(stack, {.end_spacing = 1});
+            EXPECT_TRUE(result.dropped.empty());
+            std::size_t saddles = 0;
+            for (const auto& [kind, count] : node_kinds(result.graph)) {
+                const auto& [down, up] = kind;
+                if (down == 0 || up == 0) continue;
+                EXPECT_EQ(down + up, 3);
+                saddles += static_cast<std::size_t>(count);
+            }
+            EXPECT_EQ(saddles, rings - 2);
+            const ConstructedSurface surface = surface_of_graph(result.graph, {.steps = 3});
+            const MeshReport report = analyze(surface.soup);
+            EXPECT_TRUE(report.closed && report.manifold && report.oriented);
+            EXPECT_EQ(report.self_intersections, 0u);
+            EXPECT_EQ(report.components, 1u);
+            const TriMesh mesh = half_edge_mesh(surface.soup);
+            EXPECT_EQ(collapse_plateaus(reeb_graph(mesh, height_field(mesh))).loops(),
+                      loops_of(result.graph));
+        }
 }
 
 TEST(GraphOfStack, thin_wall_that_moves_by_its_width_keeps_inside_and_outside) {

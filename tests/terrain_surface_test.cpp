@@ -29,6 +29,7 @@ struct Comparison {
 Comparison compare(const ContourStack& stack, const HeightGrid& truth) {
     const StackGraph graph = graph_of_stack(stack);
     EXPECT_TRUE(is_terrain(graph.graph));
+    EXPECT_TRUE(graph.dropped.empty());
     const auto surface = construct_surface(graph.graph, {.terrain = true});
     const auto depth = ring_depths(stack, truth);
     const MeshReport report = analyze(surface.soup);
@@ -48,6 +49,14 @@ void expect_better(const Comparison& found, double share) {
                 found.surface.places, found.surface.mean, found.linear.mean, found.surface.rms,
                 found.linear.rms, found.surface.most_of_95_percent, found.linear.most_of_95_percent,
                 found.surface.most, found.linear.most);
+}
+
+void add(HeightErrors& sum, const HeightErrors& part) {
+    sum.places += part.places;
+    sum.mean += part.mean;
+    sum.rms += part.rms;
+    sum.most_of_95_percent += part.most_of_95_percent;
+    sum.most += part.most;
 }
 
 //! Hills and hollows over a square, sinking to its sides.
@@ -92,7 +101,8 @@ TriMesh mesh_of(const HeightGrid& grid) {
 }
 
 TEST(TerrainSurface, of_hills_is_closer_to_them_than_linear_interpolation) {
-    for (const std::uint64_t seed : {1u, 4u}) {
+    Comparison all;
+    for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
         SCOPED_TRACE(seed);
         const HeightGrid truth = hills(seed, 81);
         const TriMesh mesh = mesh_of(truth);
@@ -105,8 +115,13 @@ TEST(TerrainSurface, of_hills_is_closer_to_them_than_linear_interpolation) {
                 stack.contours.push_back({.z = set.level, .points = {}, .name = {}});
                 for (const Point3& p : contour.points) stack.contours.back().points.push_back({p.x, p.y});
             }
-        expect_better(compare(stack, truth), 0.75);
+        const Comparison own = compare(stack, truth);
+        EXPECT_LT(own.surface.mean, 0.75 * own.linear.mean);
+        add(all.surface, own.surface);
+        add(all.linear, own.linear);
+        all.crossings += own.crossings;
     }
+    expect_better(all, 0.75);
 }
 
 HeightGrid st_helens() {
