@@ -253,8 +253,9 @@ TEST(ReadContourStack, mount_st_helens) {
         EXPECT_EQ(lines.contours[c].z, points.contours[c].z);
     const StackGraph all = graph_of_stack(points);
     expect_sound(all.graph);
-    EXPECT_EQ(all.graph.nodes.size(), 143u);
-    EXPECT_EQ(all.graph.edges.size(), 97u);
+    EXPECT_EQ(all.graph.nodes.size(), 145u);
+    EXPECT_EQ(all.graph.edges.size(), 100u);
+    EXPECT_TRUE(all.dropped.empty());
     ContourStack big;
     for (const StackContour& contour : points.contours) {
         double twice = 0;
