@@ -54,12 +54,16 @@ std::size_t overhangs(const GraphStrand& strand, bool is_hole) {
 bool is_terrain(const EnhancedReebGraph& graph) {
     const auto strands = strands_of(graph, kSamples);
     const auto is_hole = hole_edges(graph, strands);
-    std::vector<bool> goes_on(graph.nodes.size(), false);
-    for (const EnhancedEdge& edge : graph.edges) goes_on[edge.from] = true;
+    std::vector<bool> is_open_above(
+        graph.nodes.size(), false);  // it goes on there, or ends in a rim with what is around the hole
+    for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+        is_open_above[graph.edges[e].from] = true;
+        if (!is_hole[e]) is_open_above[graph.edges[e].to] = true;
+    }
     std::size_t exceptions = 0, neighbours = 0;
     for (std::size_t e = 0; e < graph.edges.size(); ++e) {
         if (!std::ranges::all_of(strands[e].contours, is_level)) return false;
-        const bool is_roof = is_hole[e] && !goes_on[graph.edges[e].to];
+        const bool is_roof = is_hole[e] && !is_open_above[graph.edges[e].to];
         exceptions += is_roof + overhangs(strands[e], is_hole[e]);
         neighbours += strands[e].contours.size();
     }
