@@ -35,6 +35,7 @@ class Assembly {
         turn_pieces();
         open_ends();
         join_ends();
+        find_sides();
         for (std::uint32_t n = 0; n < graph_.nodes.size(); ++n)
             if (graph_.nodes[n].form == NodeForm::Flat) fill(n);
         part_fans();
@@ -124,24 +125,24 @@ class Assembly {
         surface_.triangle_part.resize(surface_.soup.triangles.size(), kNoPart);
     }
 
-    //! Sides of triangles that run from one vertex of the node to another.
-    std::set<std::pair<std::uint32_t, std::uint32_t>> sides_around(std::uint32_t n) const {
-        std::set<std::uint32_t> own;
-        for (const auto& [place, v] : vertex_at_[n]) own.insert(v);
-        std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
+    //! Sides of triangles that run from one vertex of a node to another.
+    void find_sides() {
+        std::vector<std::uint32_t> node_of(surface_.soup.points.size(), kNone);
+        for (std::uint32_t n = 0; n < vertex_at_.size(); ++n)
+            for (const auto& [place, v] : vertex_at_[n]) node_of[v] = n;
+        sides_.resize(vertex_at_.size());
         for (const Triangle& t : surface_.soup.triangles)
             for (std::size_t i = 0; i < 3; ++i) {
-                const std::uint32_t a = t[i], b = t[(i + 1) % 3];
-                if (own.contains(a) && own.contains(b) && !sides.insert({a, b}).second)
+                const std::uint32_t a = t[i], b = t[(i + 1) % 3], n = node_of[a];
+                if (n != kNone && node_of[b] == n && !sides_[n].insert({a, b}).second)
                     throw InvalidInput(fmt::format(
                         "node {}: more than two pieces meet along one side, from ({:.10g}, {:.10g})",
                         text_of(graph_.nodes[n].id), surface_.soup.points[a].x, surface_.soup.points[a].y));
             }
-        return sides;
     }
 
     void face_as_around(std::uint32_t n, std::vector<Triangle>& triangles) const {
-        const auto around = sides_around(n);
+        const auto& around = sides_[n];
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> first;  // triangle with that side
         DisjointSets patches(triangles.size());
         for (std::uint32_t t = 0; t < triangles.size(); ++t)
@@ -196,7 +197,8 @@ class Assembly {
     const EnhancedReebGraph& graph_;
     const LevelPieces& pieces_;
     ConstructedSurface surface_;
-    std::vector<std::map<Place, std::uint32_t>> vertex_at_;  // by node
+    std::vector<std::map<Place, std::uint32_t>> vertex_at_;                 // by node
+    std::vector<std::set<std::pair<std::uint32_t, std::uint32_t>>> sides_;  // by node, see find_sides
 };
 
 }  // namespace
