@@ -5,9 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <ranges>
 #include <set>
@@ -16,13 +14,13 @@
 #include "boreholes/errors.h"
 #include "mesh/analysis.h"
 #include "mesh/ring_crossings.h"
-#include "reeb/contour_matching.h"
+#include "reeb/contours_between.h"
 #include "reeb/correspondence.h"
 #include "reeb/cut_crossings.h"
 #include "reeb/far_places.h"
 #include "reeb/filled_boundaries.h"
 #include "reeb/graded_levels.h"
-#include "reeb/homotopy.h"
+#include "reeb/height_scale.h"
 #include "reeb/level_pieces.h"
 #include "reeb/level_set.h"
 #include "reeb/mesh_contours.h"
@@ -34,25 +32,6 @@
 namespace stratareeb {
 
 namespace {
-
-//! Distance in plan from some points of one contour to the line of another.
-double deviation(const std::vector<Point3>& from, const std::vector<Point3>& to) {
-    constexpr std::size_t kPlaces = 64;
-    const std::size_t step = 1 + from.size() / kPlaces;
-    double furthest = 0;
-    for (std::size_t i = 0; i < from.size(); i += step) {
-        double least = std::numeric_limits<double>::max();
-        for (std::size_t k = 0; k < to.size(); ++k) {
-            const Point3 &a = to[k], &b = to[(k + 1) % to.size()];
-            const double x = b.x - a.x, y = b.y - a.y, px = from[i].x - a.x, py = from[i].y - a.y;
-            const double square = x * x + y * y;
-            const double u = square > 0 ? std::clamp((px * x + py * y) / square, 0.0, 1.0) : 0;
-            least = std::min(least, std::hypot(px - u * x, py - u * y));
-        }
-        furthest = std::max(furthest, least);
-    }
-    return furthest;
-}
 
 using Contours = std::vector<LevelContour>;
 
@@ -195,6 +174,8 @@ class GraphOfMesh {
 
     //! Between neighbours, half way, until what the homotopy makes there crosses nothing and is near enough.
     void refine(const SweepEdge& edge, Contours& contours) const {
+        const HeightScale scale(lower_node(edge).value, upper_node(edge).value, is_round(edge.lower),
+                                is_round(edge.upper));
         const double least_gap =
             kLeastGap * (contours.back().z - contours.front().z);  // of what crosses all the same
         for (std::size_t k = 0; k + 1 < contours.size() && contours.size() < options_.most_per_arc;) {
@@ -203,7 +184,7 @@ class GraphOfMesh {
                 ++k;
                 continue;
             }
-            const bool crosses = gap > least_gap && crosses_between(edge, contours, k);
+            const bool crosses = gap > least_gap && crosses_between(contours, k, scale, options_.homotopy);
             if (!crosses && options_.tolerance <= 0) {
                 ++k;
                 continue;
@@ -211,39 +192,12 @@ class GraphOfMesh {
             LevelContour middle = mesh_contours_.at(edge, z);
             if (!make_sound(middle) ||
                 (!crosses &&
-                 deviation(middle.points, made_between(edge, contours, k, z)) <= options_.tolerance))
+                 plan_deviation(middle.points, contour_between(contours, k, z, scale, options_.homotopy)) <=
+                     options_.tolerance))
                 ++k;
             else
                 contours.insert(contours.begin() + static_cast<std::ptrdiff_t>(k) + 1, std::move(middle));
         }
-    }
-
-    bool crosses_between(const SweepEdge& edge, const Contours& contours, std::size_t k) const {
-        return std::ranges::any_of(std::array{0.25, 0.5, 0.75}, [&](double t) {
-            std::vector<std::vector<Point2>> ring(1);
-            const double z = contours[k].z + t * (contours[k + 1].z - contours[k].z);
-            for (const Point3& p : made_between(edge, contours, k, z)) ring[0].push_back({p.x, p.y});
-            return !ring_crossings(ring, {.most = 1}).empty();
-        });
-    }
-
-    //! At a height between contour k and the next, by the contours around.
-    std::vector<Point3> made_between(const SweepEdge& edge, const Contours& contours, std::size_t k,
-                                     double z) const {
-        const std::size_t first = k > 0 ? k - 1 : 0, last = std::min(k + 2, contours.size() - 1);
-        std::vector<SampledContour> shapes;
-        std::vector<double> heights;
-        for (std::size_t i = first; i <= last; ++i) {
-            shapes.push_back(contour_by_perimeter(contours[i].points));
-            heights.push_back(contours[i].z);
-        }
-        const HeightScale scale(lower_node(edge).value, upper_node(edge).value, is_round(edge.lower),
-                                is_round(edge.upper));
-        const double below = scale.place(contours[k].z), above = scale.place(contours[k + 1].z);
-        return ContourHomotopy(matched_contours(std::move(shapes)), heights,
-                               {.kind = options_.homotopy, .pace = HomotopyPace::Round}, scale)
-            .contour(k - first, (scale.place(z) - below) / (above - below))
-            .points;
     }
 
     void add_contours_at_saddles() {

@@ -4,23 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "boreholes/errors.h"
-#include "mesh/ring_crossings.h"
 #include "reeb/contour_alignment.h"
-#include "reeb/contour_touches.h"
-#include "reeb/critical_bouquet.h"
 #include "reeb/graph_conditions.h"
 #include "reeb/graph_strands.h"
-#include "reeb/guiding_curve.h"
 #include "reeb/plan_sheet.h"
-#include "reeb/point_math.h"
+#include "reeb/saddle_construction.h"
 #include "reeb/strand_surface.h"
 #include "reeb/surface_fairing.h"
 
@@ -162,12 +156,6 @@ class Construction {
         return true;
     }
 
-    //! One side of a node: edges that end there, or start there.
-    struct Side {
-        const std::vector<std::uint32_t>& edges;
-        bool is_lower;
-    };
-
     //! A sheet at a node, and the vertices of its rings.
     struct NodeSheet {
         std::uint32_t node;
@@ -189,18 +177,8 @@ class Construction {
 
     std::string name(std::uint32_t n) const { return "node " + text_of(graph_.nodes[n].id); }
 
-    StrandEnd& end(const Side& side, std::uint32_t edge) {
-        return side.is_lower ? strands_[edge].top : strands_[edge].bottom;
-    }
-    SampledContour& end_contour(const Side& side, std::uint32_t edge) {
-        return side.is_lower ? strands_[edge].contours.back() : strands_[edge].contours.front();
-    }
-    double end_height(const Side& side, std::uint32_t edge) const {
-        return side.is_lower ? strands_[edge].heights.back() : strands_[edge].heights.front();
-    }
-
     void make_node(std::uint32_t n) {
-        const Side lower{down_[n], true}, upper{up_[n], false};
+        const NodeSide lower{down_[n], true}, upper{up_[n], false};
         const std::size_t below = lower.edges.size(), above = upper.edges.size();
         if (below + above == 1) return make_leaf(n, below == 1 ? lower : upper);
         if (below + above == 2 && (below == 0 || above == 0))
@@ -214,23 +192,23 @@ class Construction {
             throw InvalidInput(
                 name(n) + ": one edge ends and one starts there, so it is no critical point; join the edges");
         if ((below == 1 || above == 1) && make_sheet(n, lower, upper)) return;
-        const bool from_lower = is_given(n, lower) || (!is_given(n, upper) && below >= above);
-        make_saddle(n, from_lower ? lower : upper, from_lower ? upper : lower);
+        make_saddle({name(n), graph_.nodes[n].position}, lower, upper, options_, strands_, surface_);
     }
 
     //! One height for each place between the contours around the node, where that can be.
-    bool make_sheet(std::uint32_t n, const Side& lower, const Side& upper) {
+    bool make_sheet(std::uint32_t n, const NodeSide& lower, const NodeSide& upper) {
         std::vector<SheetRing> rings;
-        for (const Side& side : {lower, upper})
+        for (const NodeSide& side : {lower, upper})
             for (const std::uint32_t e : side.edges) {
                 const StrandEnd& far = side.is_lower ? strands_[e].bottom : strands_[e].top;
-                if (strands_[e].contours.size() == 1 && far.node.z == end_height(side, e)) return false;
-                rings.push_back({end_contour(side, e).points, side.is_lower, strands_[e].is_hole});
+                if (strands_[e].contours.size() == 1 && far.node.z == end_height(strands_, side, e))
+                    return false;
+                rings.push_back({end_contour(strands_, side, e).points, side.is_lower, strands_[e].is_hole});
             }
         const auto& made = memory_.sheets.sheet(rings, graph_.nodes[n].position, options_.steps);
         if (!made) return false;
         NodeSheet sheet{.node = n, .sheet = &*made, .vertices = {}, .place = {}};
-        for (const Side& side : {lower, upper})
+        for (const NodeSide& side : {lower, upper})
             for (const std::uint32_t e : side.edges) {
                 const Ring ring = sheet_ring(side, e);
                 sheet.vertices.insert(sheet.vertices.end(), ring.vertices.begin(), ring.vertices.end());
@@ -243,23 +221,23 @@ class Construction {
     }
 
     //! An edge's only contour may bound sheets on both sides.
-    const Ring& sheet_ring(const Side& side, std::uint32_t e) {
-        StrandEnd& own = end(side, e);
+    const Ring& sheet_ring(const NodeSide& side, std::uint32_t e) {
+        StrandEnd& own = end_of(strands_, side, e);
         const StrandEnd& far = side.is_lower ? strands_[e].bottom : strands_[e].top;
         const bool is_shared = strands_[e].contours.size() == 1 && far.kind == Kind::Sheet;
         own.kind = Kind::Sheet;
-        own.ring = is_shared ? *far.ring : surface_.add_ring(end_contour(side, e));
+        own.ring = is_shared ? *far.ring : surface_.add_ring(end_contour(strands_, side, e));
         return *own.ring;
     }
 
-    void make_leaf(std::uint32_t n, const Side& side) {
+    void make_leaf(std::uint32_t n, const NodeSide& side) {
         const std::uint32_t edge = side.edges.front();
-        const bool flat = end_height(side, edge) == graph_.nodes[n].position.z;
-        end(side, edge).kind = flat ? Kind::Flat : Kind::Tip;
+        const bool flat = end_height(strands_, side, edge) == graph_.nodes[n].position.z;
+        end_of(strands_, side, edge).kind = flat ? Kind::Flat : Kind::Tip;
     }
 
     //! Half way between an outer contour and the hole in it, at the node's height.
-    void make_ridge(std::uint32_t n, const Side& side) {
+    void make_ridge(std::uint32_t n, const NodeSide& side) {
         const bool first_is_outer = !strands_[side.edges[0]].is_hole;
         if (strands_[side.edges[1]].is_hole != first_is_outer)
             throw InvalidInput(name(n) +
@@ -268,160 +246,17 @@ class Construction {
                                "saddle first");
         const std::uint32_t outer = side.edges[first_is_outer ? 0 : 1],
                             hole = side.edges[first_is_outer ? 1 : 0];
-        SampledContour ridge = end_contour(side, outer);
-        const SampledContour& inner = end_contour(side, hole);
+        SampledContour ridge = end_contour(strands_, side, outer);
+        const SampledContour& inner = end_contour(strands_, side, hole);
         const auto across = points_at(with_origin(inner, aligned_origin(ridge, inner)), ridge.parameters);
         for (std::size_t i = 0; i < across.size(); ++i)
             ridge.points[i] = {(ridge.points[i].x + across[i].x) / 2, (ridge.points[i].y + across[i].y) / 2,
                                graph_.nodes[n].position.z};
         const Ring ring = surface_.add_ring(std::move(ridge));
         for (const std::uint32_t e : side.edges) {
-            end(side, e).kind = Kind::Ridge;
-            end(side, e).ring = ring;
+            end_of(strands_, side, e).kind = Kind::Ridge;
+            end_of(strands_, side, e).ring = ring;
         }
-    }
-
-    //! Do contours through a saddle say how they run together there?
-    bool is_given(std::uint32_t n, const Side& side) {
-        std::ptrdiff_t visits = 0;
-        for (const std::uint32_t e : side.edges) {
-            const auto own = std::ranges::count(end_contour(side, e).points, graph_.nodes[n].position);
-            if (own == 0) return false;
-            visits += own;
-        }
-        return visits > 1;
-    }
-
-    //! Contours of one side run to the critical point; those of the other are what they become there. Where more than two can't
-    //! all reach one point without crossing, they touch across the gaps between them instead, at that height.
-    void make_saddle(std::uint32_t n, const Side& given, const Side& across) {
-        const Point3& critical = graph_.nodes[n].position;
-        const bool through = is_given(n, given);
-        std::vector<std::vector<TouchedPlace>> places;
-        for (const std::uint32_t e : given.edges)
-            places.push_back({{through ? 0 : nearest_parameter(end_contour(given, e), critical), critical}});
-        const std::size_t points_before = surface_.points().size();
-        auto curves = lead_together(given, places, through);
-        if (!through && given.edges.size() > 2 && (!curves || curves->size() != across.edges.size())) {
-            surface_.drop_points_from(points_before);
-            curves = lead_together(given, gaps_between(given, critical.z), false);
-        }
-        if (!curves || curves->size() != across.edges.size())
-            throw InvalidInput(fmt::format(
-                "{}: the {} contours {} it make {} there, not the {} {} it; move the node between them, or "
-                "give contours at its height that pass through it",
-                name(n), given.edges.size(), given.is_lower ? "below" : "above", curves ? curves->size() : 0,
-                across.edges.size(), given.is_lower ? "above" : "below"));
-        assign(*curves, critical, across);
-    }
-
-    std::vector<std::vector<TouchedPlace>> gaps_between(const Side& side, double height) {
-        std::vector<SampledContour> contours;
-        for (const std::uint32_t e : side.edges) contours.push_back(end_contour(side, e));
-        std::vector<std::vector<TouchedPlace>> places(contours.size());
-        for (const ContourTouch& touch : contour_touches(contours, height)) {
-            places[touch.first].push_back({touch.first_parameter, touch.place});
-            places[touch.second].push_back({touch.second_parameter, touch.place});
-        }
-        return places;
-    }
-
-    using Vertices = std::map<std::tuple<double, double, double>, std::uint32_t>;
-
-    //! Lead contours to places of their own; what they are on the far side.
-    std::optional<std::vector<PointLoop>> lead_together(const Side& side,
-                                                        const std::vector<std::vector<TouchedPlace>>& places,
-                                                        bool through) {
-        Vertices vertices;  // by place
-        std::set<std::uint32_t> critical;
-        for (const auto& own : places)
-            for (const auto& [parameter, p] : own) {
-                const auto [at, is_new] = vertices.try_emplace({p.x, p.y, p.z}, 0);
-                if (is_new) at->second = surface_.add_point(p);
-                critical.insert(at->second);
-            }
-        std::vector<PointLoop> loops;
-        std::vector<bool> is_hole;
-        std::vector<std::vector<Point2>> outlines;
-        for (std::size_t i = 0; i < side.edges.size(); ++i) {
-            StrandEnd& strand_end = end(side, side.edges[i]);
-            lead_to(strand_end, end_contour(side, side.edges[i]), places[i], through, vertices);
-            loops.push_back(strand_end.ring->vertices);
-            is_hole.push_back(strands_[side.edges[i]].is_hole);
-            outlines.emplace_back();
-            for (const Point3& p : strand_end.ring->shape.points) outlines.back().push_back({p.x, p.y});
-        }
-        if (side.edges.size() > 2 && !ring_crossings(outlines, {.shared_corners = true, .most = 1}).empty())
-            return std::nullopt;
-        return contours_across(loops, is_hole, critical, surface_.points());
-    }
-
-    void lead_to(StrandEnd& strand_end, SampledContour shape, const std::vector<TouchedPlace>& places,
-                 bool through, const Vertices& vertices) {
-        strand_end.kind = through ? Kind::Through : Kind::Approach;
-        strand_end.approach.clear();
-        if (!through) {
-            for (std::size_t k = 1; k < options_.steps; ++k)
-                strand_end.approach.push_back(approach_places(
-                    shape, places, static_cast<double>(k) / static_cast<double>(options_.steps),
-                    options_.reach));
-            shape = approach_places(shape, places, 1, options_.reach);
-        }
-        Ring ring{shape, {}};
-        for (const Point3& p : shape.points) {
-            const auto known = vertices.find({p.x, p.y, p.z});
-            ring.vertices.push_back(known != vertices.end() ? known->second : surface_.add_point(p));
-            if (!through && known == vertices.end())
-                surface_.let_free(ring.vertices.back(), Freedom::Space, strand_end.group);
-        }
-        strand_end.ring = std::move(ring);
-    }
-
-    //! Each curve to the edge whose contour is nearest, the nearest pair first.
-    void assign(const std::vector<PointLoop>& curves, const Point3& critical, const Side& side) {
-        struct Match {
-            double distance;
-            std::size_t curve;
-            std::uint32_t edge;
-        };
-        std::vector<Match> matches;
-        for (std::size_t c = 0; c < curves.size(); ++c)
-            for (const std::uint32_t e : side.edges)
-                matches.push_back({distance(curves[c], end_contour(side, e)), c, e});
-        std::ranges::stable_sort(matches, {}, &Match::distance);
-        std::vector<bool> used(curves.size(), false);
-        for (const Match& match : matches) {
-            StrandEnd& strand_end = end(side, match.edge);
-            if (used[match.curve] || strand_end.ring) continue;
-            used[match.curve] = true;
-            std::vector<Point3> points;
-            for (const std::uint32_t v : curves[match.curve]) points.push_back(surface_.points()[v]);
-            strand_end.kind = Kind::Ring;
-            strand_end.ring = Ring{contour_by_perimeter(std::move(points)), curves[match.curve]};
-            drop_contour_at(critical, side, match.edge);
-        }
-    }
-
-    //! A contour of the far side at the node's own height has given way to what its neighbours make.
-    void drop_contour_at(const Point3& critical, const Side& side, std::uint32_t e) {
-        Strand& strand = strands_[e];
-        if (end_height(side, e) != critical.z || strand.contours.size() < 2) return;
-        const auto at = side.is_lower ? strand.contours.size() - 1 : 0;
-        strand.contours.erase(strand.contours.begin() + static_cast<std::ptrdiff_t>(at));
-        strand.heights.erase(strand.heights.begin() + static_cast<std::ptrdiff_t>(at));
-    }
-
-    double distance(const PointLoop& curve, const SampledContour& contour) const {
-        constexpr std::size_t kPlaces = 48;
-        const std::size_t step = 1 + curve.size() / kPlaces;
-        double sum = 0;
-        for (std::size_t i = 0; i < curve.size(); i += step) {
-            double least = std::numeric_limits<double>::max();
-            for (const Point3& p : contour.points)
-                least = std::min(least, magnitude(p - surface_.points()[curve[i]]));
-            sum += least;
-        }
-        return sum;
     }
 
     const EnhancedReebGraph& graph_;
