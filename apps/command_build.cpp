@@ -71,7 +71,8 @@ class Build {
             .units = {}, .checks = {}, .warnings = {}, .options = arguments_.record(), .files = {}};
         LayerModel model = model_of(table.survey, levels, record);
         record.warnings = warnings_of(table, model);
-        write_horizons(folder, model);
+        write_horizons(folder, model, kHorizonsFolder);
+        if (unrefined_) write_horizons(folder, *unrefined_, kUnrefinedFolder);
         const std::vector<LayerSolid> solids = write_layers(folder, model, table.survey, record);
         write_whole_model(folder, model, solids, record);
         write_model_holes(folder.add(kModelHolesFile), table.survey, model.plan.hole_vertex);
@@ -157,6 +158,7 @@ class Build {
 
     void refine(LayerModel& model, int levels, ModelRecord& record) {
         if (levels == 0) return;
+        if (arguments_.faults.empty()) unrefined_ = model;
         RefineLayersOptions options{.levels = levels};
         options.progress = [this](const char* step, double share) {
             progress_.step(step, kModelEnd + share * (kRefineEnd - kModelEnd));
@@ -234,12 +236,12 @@ class Build {
         return warnings;
     }
 
-    void write_horizons(StagedFolder& folder, const LayerModel& model) {
+    void write_horizons(StagedFolder& folder, const LayerModel& model, const std::string& where) {
         for (std::size_t k = 0; k < model.horizons.size(); ++k) {
             progress_.step("writing horizons", kRefineEnd);
             const TriMesh surface = horizon_surface(model, k, arguments_.normals);
             const Unit& unit = model.units[k == 0 ? 0 : k - 1];
-            write_mesh(folder.add("horizons/" + numbered_name(k, k == 0 ? "ground" : unit.name) + ".ply"),
+            write_mesh(folder.add(where + numbered_name(k, k == 0 ? "ground" : unit.name) + ".ply"),
                        {unit.name, unit.color, &surface});
         }
     }
@@ -395,6 +397,7 @@ class Build {
 
     const BuildArguments& arguments_;
     Progress progress_;
+    std::optional<LayerModel> unrefined_;  // what refinement began with, without faults
     std::optional<Raster> terrain_;
     InterpolatorKind interpolator_ = kDefaultInterpolator;
     std::vector<std::string> notes_;  // for people, beside those of the table and the model

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <limits>
 #include <memory>
@@ -15,6 +16,8 @@
 #include "io/axis_ticks.h"
 #include "io/drawing_page.h"
 #include "io/map_drawing.h"
+#include "io/model_prediction.h"
+#include "io/read_record.h"
 #include "io/write_grid.h"
 #include "mesh/model_grid.h"
 #include "mesh/plan_areas.h"
@@ -26,7 +29,8 @@ namespace {
 using nlohmann::json;
 
 struct MapArguments {
-    std::string folder, show = "geology", unit, title, crs;
+    std::string folder, show = "geology", unit, uncertainty, title, crs;
+    std::uint64_t seed = 1;
     std::vector<std::string> outputs;
     double interval = 0, cell = 0;
     bool json = false, overwrite = false;
@@ -50,8 +54,10 @@ class MapRun {
         if (!arguments.unit.empty()) layer_ = unit_by_name(model_, arguments.unit);
         if (is_geology_)
             areas_ = geology_areas(model_);
-        else
+        else if (arguments.uncertainty.empty())
             contours_ = contour_map(model_, subject_of(arguments.show), layer_, arguments.interval);
+        else
+            contours_ = uncertain();
     }
 
     void write(const std::string& file) const {
@@ -72,11 +78,19 @@ class MapRun {
         else if (is_geology_)
             print_areas();
         else
-            fmt::print("{}: {} lines, every {:g} {}\n", subject_words(model_, contours_.subject, layer_),
-                       contours_.lines.size(), contours_.interval, model_.length_unit);
+            fmt::print("{}: {} lines, every {:g} {}\n", contours_.about, contours_.lines.size(),
+                       contours_.interval, model_.length_unit);
     }
 
  private:
+    ContourMap uncertain() const {
+        const auto options = read_record(arguments_.folder).record.options;
+        return spread_map(saved_, subject_of(arguments_.show), layer_,
+                          arguments_.uncertainty == "deviation" ? Spread::Deviation : Spread::Interval,
+                          {.prediction = model_prediction(saved_.survey, options), .seed = arguments_.seed},
+                          arguments_.interval);
+    }
+
     Grid gridded() const {
         if (is_geology_) return unit_grid();
         const PlanGrid plan = plan_grid();
@@ -87,7 +101,7 @@ class MapRun {
                 .cell = plan.cell,
                 .columns = plan.columns,
                 .rows = plan.rows,
-                .bands = {{subject_words(model_, contours_.subject, layer_), std::move(values[0])}}};
+                .bands = {{contours_.about, std::move(values[0])}}};
     }
 
     //! Top and base mean nothing where the layer is not.
@@ -156,6 +170,7 @@ class MapRun {
                     {{"order", i + 1}, {"code", model_.units[i].code}, {"area", sizes[i]}});
             return result;
         }
+        if (!arguments_.uncertainty.empty()) result["uncertainty"] = arguments_.uncertainty;
         if (contours_.subject != MapSubject::Ground) result["unit"] = model_.units[layer_].code;
         result["interval"] = contours_.interval;
         result["lines"] = json::array();
@@ -182,6 +197,8 @@ void check_usage(const MapArguments& arguments) {
         throw CLI::ValidationError("--unit", fmt::format("is needed to show a unit's {}", arguments.show));
     if (!needs_unit && !arguments.unit.empty())
         throw CLI::ValidationError("--unit", "goes with --show top, base or thickness");
+    if (!arguments.uncertainty.empty() && arguments.show == "geology")
+        throw CLI::ValidationError("--uncertainty", "goes with --show ground, top, base or thickness");
     for (const std::string& output : arguments.outputs)
         if (!is_drawing_file(output) && !is_feature_file(output) && !is_grid_file(output))
             throw CLI::ValidationError(
@@ -209,6 +226,14 @@ void add_map_command(CLI::App& program) {
         ->capture_default_str();
     command->add_option("--unit", arguments->unit,
                         "Code, name or number of the unit, for top, base and thickness");
+    command
+        ->add_option(
+            "--uncertainty", arguments->uncertainty,
+            "How far off that may be, from boreholes left out: its standard deviation, or half its 95 "
+            "% interval")
+        ->check(CLI::IsMember({"deviation", "interval"}));
+    command->add_option("--seed", arguments->seed, "Of the draws of left-out boreholes")
+        ->capture_default_str();
     command->add_option("-o,--output", arguments->outputs,
                         "Drawing (.svg, .pdf, .png), lines or areas (.gpkg, .dxf, .geojson), grid (.tif, "
                         ".asc); may be repeated");

@@ -11,6 +11,7 @@
 #include "apps/command.h"
 #include "apps/mesh_report.h"
 #include "boreholes/errors.h"
+#include "io/model_prediction.h"
 #include "io/read_areas.h"
 #include "io/read_model.h"
 #include "io/read_record.h"
@@ -41,20 +42,6 @@ VolumeWindow window_of(const VolumeArguments& arguments) {
         window.depths = {arguments.below_ground[0], arguments.below_ground[1]};
     if (!arguments.inside.empty()) window.areas = read_areas(arguments.inside);
     return window;
-}
-
-//! As the model was predicted, as far as its record says.
-CompletionOptions prediction_of(const std::string& folder) {
-    CompletionOptions prediction;
-    const auto options = read_record(folder).record.options;
-    const auto interpolator = options.find("interpolator"), pinch_out = options.find("pinch_out");
-    const auto kinds = interpolator_kinds();
-    if (interpolator != options.end() &&
-        std::ranges::any_of(kinds, [&](auto kind) { return name_of(kind) == interpolator->second; }))
-        prediction.interpolator = interpolator_kind(interpolator->second);
-    if (pinch_out != options.end() && !pinch_out->second.empty())
-        prediction.pinch_out = pinch_out_rule(pinch_out->second);
-    return prediction;
 }
 
 //! With no error found at any borehole where there is something, nothing is known of it.
@@ -132,8 +119,9 @@ void run(const VolumeArguments& arguments) {
                            ": lies outside the model's footprint; are its coordinates the model's?");
     std::vector<VolumeUncertainty> uncertainty;
     if (!arguments.no_uncertainty && saved.survey.holes.size() >= 4)
-        uncertainty = volume_uncertainty(saved.model, saved.survey, window, volumes,
-                                         {.prediction = prediction_of(arguments.folder)});
+        uncertainty = volume_uncertainty(
+            saved.model, saved.survey, window, volumes,
+            {.prediction = model_prediction(saved.survey, read_record(arguments.folder).record.options)});
     const json result = volumes_json(saved, window, volumes, uncertainty);
     if (arguments.json)
         std::fputs(json_text(result).c_str(), stdout);

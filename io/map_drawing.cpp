@@ -60,13 +60,19 @@ std::vector<MapFeature> area_features(const std::vector<MapArea>& areas, const s
     return features;
 }
 
-ContourMap contour_map(const LayerModel& model, MapSubject subject, std::size_t layer, double interval) {
+namespace {
+
+//! Lines of a field over the part of the plan that a map of the subject is about.
+ContourMap contoured(const LayerModel& model, MapSubject subject, std::size_t layer, double interval,
+                     std::vector<double> field) {
     const bool whole = subject == MapSubject::Ground;
     const std::vector<char> use = whole ? std::vector<char>{} : layer_vertices(model, layer);
     ContourMap map{.subject = subject,
                    .layer = layer,
                    .interval = interval,
-                   .field = mapped_field(model, subject, layer),
+                   .field = std::move(field),
+                   .about = subject_words(model, subject, layer),
+                   .is_elevation = subject != MapSubject::Thickness,
                    .lines = {},
                    .areas = {}};
     if (!whole) map.areas = layer_areas(model, layer);
@@ -74,12 +80,50 @@ ContourMap contour_map(const LayerModel& model, MapSubject subject, std::size_t 
         throw InvalidInput(
             fmt::format("unit '{}' is absent everywhere; there is nothing to map", model.units[layer].code));
     if (!(interval > 0)) map.interval = suitable_interval(map.field, use);
-    map.lines = contour_lines(model, subject, layer, map.interval);
+    map.lines = contour_lines(model, map.field, whole ? std::nullopt : std::optional(layer), map.interval);
+    return map;
+}
+
+PredictedQuantity quantity_of(MapSubject subject, std::size_t layer) {
+    switch (subject) {
+        case MapSubject::Thickness:
+            return {.thickness = true, .index = layer};
+        case MapSubject::Base:
+            return {.thickness = false, .index = layer + 1};
+        case MapSubject::Top:
+            return {.thickness = false, .index = layer};
+        case MapSubject::Ground:
+            break;
+    }
+    return {};
+}
+
+}  // namespace
+
+ContourMap contour_map(const LayerModel& model, MapSubject subject, std::size_t layer, double interval) {
+    return contoured(model, subject, layer, interval, mapped_field(model, subject, layer));
+}
+
+ContourMap spread_map(const SavedModel& saved, MapSubject subject, std::size_t layer, Spread spread,
+                      const ErrorSpreadOptions& options, double interval) {
+    const std::string words = subject_words(saved.model, subject, layer);
+    ErrorSpread error;
+    try {
+        error = error_spread(saved.model, saved.survey, quantity_of(subject, layer), spread, options);
+    } catch (const InvalidInput& fault) {
+        throw InvalidInput(words + ": " + fault.what());
+    }
+    ContourMap map = contoured(saved.model, subject, layer, interval, std::move(error.size));
+    map.is_elevation = false;
+    map.about = spread == Spread::Deviation
+                    ? "standard deviation of the " + words
+                    : fmt::format("{} %{} interval, ±, of the {}", 100 * options.confidence,
+                                  error.certain ? "" : " (too few boreholes: largest error)", words);
     return map;
 }
 
 PlanMap drawn_map(const SavedModel& saved, const ContourMap& contours, const std::string& title) {
-    const std::string about = subject_words(saved.model, contours.subject, contours.layer);
+    const std::string& about = contours.about;
     PlanMap map = map_of(saved, title.empty() ? about : title);
     map.areas = contours.areas;
     map.note = fmt::format("{}lines every {:g} {}", title.empty() ? "" : about + ", ", contours.interval,
@@ -114,7 +158,7 @@ std::vector<MapFeature> line_features(const LayerModel& model, const ContourMap&
             .layer = contours.subject == MapSubject::Ground ? "ground" : model.units[contours.layer].code,
             .color = "#404040",
             .attributes = {{"value", line.value}, {"closed", line.closed ? 1.0 : 0.0}}};
-        const double z = contours.subject == MapSubject::Thickness ? 0 : line.value;
+        const double z = contours.is_elevation ? line.value : 0;
         for (const Point2& p : line.points) feature.parts[0].push_back({p.x, p.y, z});
         if (line.closed) feature.parts[0].push_back(feature.parts[0].front());
         features.push_back(std::move(feature));

@@ -8,6 +8,7 @@
 #include "io/read_model.h"
 #include "io/write_features.h"
 #include "io/write_plan_map.h"
+#include "mesh/error_spread.h"
 #include "mesh/vertical_section.h"
 
 namespace stratareeb {
@@ -27,7 +28,9 @@ struct ContourMap {
     MapSubject subject = MapSubject::Ground;
     std::size_t layer = 0;
     double interval = 0;
-    std::vector<double> field;  // mapped_field of it
+    std::vector<double> field;  // mapped_field of it, or how far off it may be
+    std::string about;          // words for it, with its unit
+    bool is_elevation = true;   // lines lie at their heights
     std::vector<ContourLine> lines;
     std::vector<MapArea> areas;  // where the layer is; none for the ground
 };
@@ -35,6 +38,11 @@ struct ContourMap {
 //! `interval` 0: a round one that gives about a dozen lines.
 //! \throw InvalidInput if the layer is absent everywhere, or as contour_lines does
 ContourMap contour_map(const LayerModel& model, MapSubject subject, std::size_t layer, double interval = 0);
+
+//! How far off the ground, a horizon or a thickness may be (error_spread).
+//! \throw as contour_map; InvalidInput if too few boreholes know it
+ContourMap spread_map(const SavedModel& saved, MapSubject subject, std::size_t layer, Spread spread,
+                      const ErrorSpreadOptions& options, double interval = 0);
 
 //! The map with its lines labelled, every fifth bold. An empty title: what it is about.
 PlanMap drawn_map(const SavedModel& saved, const ContourMap& contours, const std::string& title = "");
@@ -46,7 +54,7 @@ PlanMap geology_drawing(const SavedModel& saved, const std::vector<MapArea>& are
 //! The areas in which each layer is the topmost.
 std::vector<MapArea> geology_areas(const LayerModel& model);
 
-//! The lines for GIS and CAD, at their heights; those of a thickness at 0.
+//! The lines for GIS and CAD, at their heights; those of what is no elevation at 0.
 std::vector<MapFeature> line_features(const LayerModel& model, const ContourMap& contours);
 
 //! The unit of a code or name, or its number from 1.

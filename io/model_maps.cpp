@@ -16,25 +16,21 @@ namespace stratareeb {
 
 namespace {
 
-bool has(const LayerModel& model, MapSubject subject, std::size_t layer, std::size_t face) {
-    return subject == MapSubject::Ground || model.regions.in_face[face][layer];
-}
-
 //! The plan's part where the layer is, with the field of its vertices.
 struct PartOfPlan {
     TriMesh mesh;
     ScalarField field;
 };
 
-PartOfPlan part_of(const LayerModel& model, MapSubject subject, std::size_t layer) {
-    const std::vector<double> field = mapped_field(model, subject, layer);
+PartOfPlan part_of(const LayerModel& model, const std::vector<double>& field,
+                   std::optional<std::size_t> layer) {
     const TriMesh& plan = model.plan.surface;
     constexpr std::uint32_t kNone = ~0u;
     std::vector<std::uint32_t> number(plan.n_vertices(), kNone);
     PartOfPlan part;
     TriangleSoup soup;
     for (const auto f : plan.faces()) {
-        if (!has(model, subject, layer, static_cast<std::size_t>(f.idx()))) continue;
+        if (layer && !model.regions.in_face[static_cast<std::size_t>(f.idx())][*layer]) continue;
         std::array<std::uint32_t, 3> corners{};
         std::size_t i = 0;
         for (const auto v : plan.fv_range(f)) {
@@ -109,7 +105,13 @@ double suitable_interval(const std::vector<double>& field, const std::vector<cha
 
 std::vector<ContourLine> contour_lines(const LayerModel& model, MapSubject subject, std::size_t layer,
                                        double interval) {
-    const PartOfPlan part = part_of(model, subject, layer);
+    return contour_lines(model, mapped_field(model, subject, layer),
+                         subject == MapSubject::Ground ? std::nullopt : std::optional(layer), interval);
+}
+
+std::vector<ContourLine> contour_lines(const LayerModel& model, const std::vector<double>& field,
+                                       std::optional<std::size_t> layer, double interval) {
+    const PartOfPlan part = part_of(model, field, layer);
     std::vector<ContourLine> lines;
     const auto [low, high] = std::ranges::minmax(part.field);
     if (is_level(low, high)) return lines;

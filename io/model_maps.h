@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,10 @@ double suitable_interval(const std::vector<double>& field, const std::vector<cha
 //! \throw InvalidInput if the interval is not above 0, or so small that there would be more than 10,000 values
 std::vector<ContourLine> contour_lines(const LayerModel& model, MapSubject subject, std::size_t layer,
                                        double interval);
+
+//! The same of any field of the plan's vertices, over the part where a layer is, or over all of it.
+std::vector<ContourLine> contour_lines(const LayerModel& model, const std::vector<double>& field,
+                                       std::optional<std::size_t> layer, double interval);
 
 //! The vertices of a layer's region, thickness 0 along its rim included.
 std::vector<char> layer_vertices(const LayerModel& model, std::size_t layer);

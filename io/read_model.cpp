@@ -11,6 +11,7 @@
 #include "io/model_holes.h"
 #include "io/read_ply.h"
 #include "io/text_scanner.h"
+#include "io/write_model.h"
 #include "mesh/thickness_regions.h"
 #include "mesh/triangle_soup.h"
 
@@ -90,17 +91,18 @@ void check_order(const LayerModel& model, const Description& description, const 
                                 (folder / description.horizons[i + 1]).string(), v));
 }
 
-}  // namespace
-
-SavedModel read_model(const fs::path& folder) {
+Description description_in(const fs::path& folder) {
     if (!fs::is_directory(folder))
         throw IoError(fmt::format("{}: not a folder; give the one that `build` wrote", folder.string()));
     if (!fs::exists(folder / "model.json"))
         throw InvalidInput(
             fmt::format("{}: no model.json; give the folder that `build` wrote", folder.string()));
-    const Description description = stratareeb::description(folder / "model.json");
-    SavedModel saved;
-    LayerModel& model = saved.model;
+    return description(folder / "model.json");
+}
+
+//! The layers between the surfaces that a description names.
+LayerModel layers_of(const Description& description, const fs::path& folder) {
+    LayerModel model;
     model.units = description.units;
     model.origin = description.origin;
     model.length_unit = description.length_unit;
@@ -121,8 +123,18 @@ SavedModel read_model(const fs::path& folder) {
     model.plan.surface = half_edge_mesh(plan);
     check_order(model, description, folder);
     model.regions = regions_of_thickness(model.plan.surface, model.horizons);
+    return model;
+}
+
+}  // namespace
+
+SavedModel read_model(const fs::path& folder) {
+    SavedModel saved;
+    saved.model = layers_of(description_in(folder), folder);
+    LayerModel& model = saved.model;
     if (fs::exists(folder / kModelHolesFile)) {
-        ModelHoles holes = read_model_holes(folder / kModelHolesFile, model.units, plan.points.size());
+        ModelHoles holes =
+            read_model_holes(folder / kModelHolesFile, model.units, model.plan.surface.n_vertices());
         saved.survey = std::move(holes.survey);
         model.plan.hole_vertex = std::move(holes.vertex);
     }
@@ -131,6 +143,14 @@ SavedModel read_model(const fs::path& folder) {
     for (const Borehole& hole : saved.survey.holes)
         model.columns.sites.push_back({hole.at.x - model.origin.x, hole.at.y - model.origin.y});
     return saved;
+}
+
+std::optional<LayerModel> read_unrefined(const fs::path& folder) {
+    Description before = description_in(folder);
+    for (std::string& name : before.horizons)
+        name = (fs::path(kUnrefinedFolder) / fs::path(name).filename()).string();
+    if (!fs::exists(folder / before.horizons.front())) return std::nullopt;
+    return layers_of(before, folder);
 }
 
 }  // namespace stratareeb

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "boreholes/borehole.h"
 #include "mesh/layer_model.h"
@@ -20,5 +21,9 @@ struct SavedModel {
 //! \throw IoError if a file can't be read; InvalidInput naming file and place if the folder is no model, a file
 //! is damaged, horizons differ in x, y or triangles, or cross.
 SavedModel read_model(const std::filesystem::path& folder);
+
+//! The model that refinement began with, on the coarse plan, without holes; none if `build` didn't refine it or it has faults.
+//! \throw as read_model
+std::optional<LayerModel> read_unrefined(const std::filesystem::path& folder);
 
 }  // namespace stratareeb

@@ -98,6 +98,8 @@ std::string view_payload(const SavedModel& saved, const ViewPayloadOptions& opti
                 {"holes", holes_of(saved)},
                 {"model", view_surfaces(model, streams)}};
     header["straight"] = straight.plan.surface.n_faces() > 0 ? view_surfaces(straight, streams) : json();
+    header["unrefined"] =
+        options.unrefined ? view_surfaces(in_view_order(*options.unrefined), streams) : json();
     header["graphs"] = view_graphs(model, streams);
     const std::string text = header.dump(-1, ' ', false, json::error_handler_t::replace);
     return four_bytes(text.size()) + text + streams.bytes();

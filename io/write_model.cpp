@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 Json unit_json(const LayerModel& model, std::size_t i, const UnitSummary& summary) {
     const Unit& unit = model.units[i];
     const auto horizon = [&](std::size_t k) {
-        return "horizons/" + numbered_name(k, k == 0 ? "ground" : model.units[k - 1].name) + ".ply";
+        return kHorizonsFolder + numbered_name(k, k == 0 ? "ground" : model.units[k - 1].name) + ".ply";
     };
     const bool absent = summary.triangles == 0;
     return {{"order", i + 1},

@@ -26,6 +26,9 @@ struct ModelRecord {
     std::vector<std::vector<std::string>> solids = {};
 };
 
+//! Folders of a model's surfaces, and of those that refinement began with.
+constexpr const char *kHorizonsFolder = "horizons/", *kUnrefinedFolder = "unrefined/";
+
 //! Two digits or more, an underscore and the name in letters that any file system takes: "03_made_ground".
 std::string numbered_name(std::size_t number, const std::string& name);
 

@@ -37,8 +37,9 @@ std::string folder_name(const fs::path& folder) {
 
 }  // namespace
 
-std::string viewer_page(const SavedModel& saved, const ViewerOptions& options, const fs::path& summary) {
-    const std::string payload = view_payload(saved, {options.title, options.report, summary});
+std::string viewer_page(const SavedModel& saved, const ViewerOptions& options, const fs::path& summary,
+                        const LayerModel* unrefined) {
+    const std::string payload = view_payload(saved, {options.title, options.report, summary, unrefined});
     const std::string_view whole = viewer_template();
     const std::size_t title = whole.find(kTitlePlace), model = whole.find(kModelPlace);
     if (title > model || model == std::string_view::npos)
@@ -56,7 +57,9 @@ std::size_t write_viewer(const fs::path& folder, const fs::path& file, const Vie
     if (used.title.empty()) used.title = folder_name(folder);
     if (used.report.empty() && fs::exists(fs::absolute(file).parent_path() / "report.html"))
         used.report = "report.html";
-    const std::string page = viewer_page(read_model(folder), used, folder / "model.json");
+    const auto unrefined = read_unrefined(folder);
+    const std::string page =
+        viewer_page(read_model(folder), used, folder / "model.json", unrefined ? &*unrefined : nullptr);
     write_aside(file, [&](std::ostream& stream) { stream << page; });
     return page.size();
 }

@@ -16,9 +16,9 @@ struct ViewerOptions {
 };
 
 //! The 3D page of a saved model as one HTML file that needs no network: the page that viewer/ is built to, with the model in
-//! it (view_payload, deflated, base64). The same model gives the same bytes.
+//! it (view_payload, deflated, base64), and beside it the one that refinement began with, if given. The same model gives the same bytes.
 std::string viewer_page(const SavedModel& saved, const ViewerOptions& options,
-                        const std::filesystem::path& summary = {});
+                        const std::filesystem::path& summary = {}, const LayerModel* unrefined = nullptr);
 
 //! Write the page of the folder that `build` wrote.
 //! \return the file's size in bytes

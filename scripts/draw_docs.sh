@@ -52,3 +52,10 @@ build/stratareeb section "$folder/valley" --along 0,400,1200,400 -o docs/images/
 build/stratareeb build examples/graben/holes.csv --faults examples/graben/faults.geojson --quiet -o "$folder/graben" >/dev/null
 build/stratareeb section "$folder/graben" --along 0,300,1200,300 -o docs/images/faults.png --overwrite \
     --title "A graben between two faults" >/dev/null
+
+# The 3D page, as Chromium shows it without a graphics card.
+[ -d viewer/node_modules/playwright-core ] || (cd viewer && npm ci --silent)
+build/stratareeb view "$folder/fence" --title "Sighthill, Glasgow" >/dev/null
+node viewer/draw.js "$folder/fence/model.html" 'cut=y&cutAt=0.42&hole=3' docs/images/view.png 1280x800
+build/stratareeb map "$folder/fence" --show thickness --unit clay --uncertainty interval -o docs/images/uncertainty.png \
+    --overwrite >/dev/null

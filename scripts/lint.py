@@ -3,7 +3,7 @@
 """Lints of the source tree, each a ctest test: `lint.py includes|text|format|tidy [--build DIR] [--tests] [--record]`.
 
 includes  rooms include only along the arrows that docs/architecture.md draws; headers keep heavy libraries out
-text      a licence line first, headers guarded, no link of a page broken, nothing left to do
+text      a licence line first, headers guarded, no link of a page broken, nothing left to do, no long script in the 3D page
 format    clang-format 14 would change nothing
 tidy      clang-tidy 14 has nothing to say. It takes seconds a file, so files that passed are remembered by content (their own,
           their headers' and the checks') in DIR/tidy, and by --record in scripts/tidy_passed.txt, for fresh clones.
@@ -30,6 +30,8 @@ EXTRA_LIBRARIES = {"io": re.compile(r"fmt/|nlohmann/json_fwd"), "apps": re.compi
                    "tests": re.compile(""), "bench": re.compile("")}
 
 TIDY_PASSED = ROOT / "scripts/tidy_passed.txt"  # key of the content and file, a line each
+
+LONGEST_SCRIPT = 320  # lines of a .js file in viewer/
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
@@ -111,13 +113,17 @@ def lint_text(_):
     scripts = [p for p in scripts if not p.parts[0].startswith("build")]
     documents = [p.relative_to(ROOT) for p in [*ROOT.glob("*.md"), *ROOT.glob("docs/*.md"),
                                                   *ROOT.glob("examples/**/*.md")]]
-    for path in [*sources(".h", ".cpp", ".py", ".cmake"), *sorted(scripts), *sorted(documents)]:
+    page = [p.relative_to(ROOT) for pattern in ("*.js", "src/*.js", "src/*.css", "tests/*/*.js", "tests/*.sh")
+            for p in (ROOT / "viewer").glob(pattern)]
+    for path in [*sources(".h", ".cpp", ".py", ".cmake"), *sorted(scripts), *sorted(page), *sorted(documents)]:
         lines = (ROOT / path).read_text().splitlines()
         if path.suffix != ".md" and not any("SPDX-License-Identifier: GPL-3.0-or-later" in l for l in lines[:2]):
             problems.append(f"{path}:1: no line SPDX-License-Identifier: GPL-3.0-or-later at the top")
         if path.suffix == ".h" and "#pragma once" not in lines:
             problems.append(f"{path}:1: no #pragma once")
         problems += [f"{path}:{n}: {line.strip()}" for n, line in enumerate(lines, 1) if unfinished.search(line)]
+        if path.suffix == ".js" and len(lines) > LONGEST_SCRIPT:
+            problems.append(f"{path}: {len(lines)} lines, more than {LONGEST_SCRIPT}; a second story gets its own file")
         if path.suffix == ".md":
             problems += broken_links(path, lines)
     return problems

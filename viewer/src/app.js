@@ -10,7 +10,6 @@ import { GraphView } from './graph_view.js';
 import { pickedIn } from './graphs.js';
 import { HolesView, suitableRadius } from './holes_view.js';
 import { LayersView } from './layers_view.js';
-import { roundUp } from './level_lines.js';
 import { grouped } from './model.js';
 import { layerColors } from './palette.js';
 import { download, pictureOf } from './picture.js';
@@ -18,17 +17,9 @@ import { PlanGrid } from './plan_grid.js';
 import { Pointer } from './pointer.js';
 import { opacityOf, toFragment } from './settings.js';
 import { h } from './ui.js';
-import { graphText } from './words.js';
+import { graphText, kOthers } from './words.js';
 
-const kFlat = 0.22; // of its length that a model's height should look like
-
-/** How much to exaggerate heights so that layers can be told apart. */
-export function suitableExaggeration({ low, high }) {
-  const wide = Math.max(high[0] - low[0], high[1] - low[1]);
-  const tall = high[2] - low[2] || 1;
-  const wanted = (kFlat * wide) / tall;
-  return wanted <= 1.3 ? 1 : roundUp(wanted) > 2 * wanted ? wanted : roundUp(wanted / 1.4);
-}
+const kSliding = ['cutAt', 'slab', 'azimuth', 'dip', 'blockShares', 'exaggeration']; // settings that change what is drawn, not of what
 
 const kThemes = {
   light: { background: '#f3f5f7', ink: '#20262c' },
@@ -46,7 +37,7 @@ export class App {
     this.datum = model.datum;
     this.lengthUnit = model.unit;
     this.report = model.report;
-    this.canCompare = model.straight !== null;
+    this.comparable = Object.keys(model.others).filter((key) => model.others[key] !== null);
     this.colors = layerColors(model.units, settings.values.palette);
     this.#makeViews();
     this.tell = () => {};
@@ -58,6 +49,7 @@ export class App {
   #makeViews() {
     const { model, stage } = this;
     this.clip = new ClipUniforms();
+    this.clip.setSize(Math.hypot(...this.box.low.map((c, k) => this.box.high[k] - c)));
     this.layersView = new LayersView(model.plan, this.clip);
     this.holesView = new HolesView(model.holes, this.clip);
     this.contoursView = new ContoursView(this.layersView, this.clip);
@@ -68,6 +60,7 @@ export class App {
     this.overlay.labels.append(this.holeTag);
     this.pointer = new Pointer(this, stage, this.overlay.labels);
     this.halves = [null, { view: this.layersView, grid: model.grid }];
+    this.others = {}; // by key of kOthers
     const views = [this.layersView, this.holesView, this.contoursView, this.graphView, this.frameView, this.handle, this.pointer];
     stage.model.add(...views.map(({ root }) => root));
     stage.beforeHalf = (half) => {
@@ -77,6 +70,10 @@ export class App {
       if (this.halves[0]) this.halves[0].view.root.visible = half === 0;
     };
     stage.afterFrame = () => this.#follow();
+    stage.onCoarse = (coarse) => {
+      this.#each((view) => view.setCoarse(coarse));
+      this.holesView.setCoarse(coarse);
+    };
     this.sizeText = `${grouped(this.layersView.triangles, 7)} triangles, ${grouped(model.plan.vertices, 7)} plan vertices`;
   }
 
@@ -109,6 +106,7 @@ export class App {
   /** Bring everything in line with settings of which some changed. */
   update(values, changed) {
     const has = (...keys) => keys.some((key) => changed.has(key));
+    if ([...changed].some((key) => !kSliding.includes(key))) this.#showAll();
     if (has('theme')) this.#updateTheme();
     if (has('palette')) this.#updateColors(values);
     if (has('explode', 'exaggeration')) this.#updatePlaces(values);
@@ -123,11 +121,23 @@ export class App {
     if (has('reeb', 'picked', 'explode', 'palette', 'theme')) this.#updatePicked(values);
     if (has('orthographic')) this.stage.setParallel(values.orthographic);
     if (has('frame', 'explode', 'theme')) this.#updateFrame(values);
+    this.#keepPace(has(...kSliding));
     this.stage.request();
   }
 
+  /** What is shown changes: draw all of it, as fast as it goes. */
+  #showAll() {
+    this.stage.pace.rest();
+    this.stage.pace.forget();
+  }
+
+  #keepPace(isSliding) {
+    if (this.stage.turning) this.stage.pace.begin();
+    else if (isSliding) this.stage.pace.nudge();
+  }
+
   #each(act) {
-    for (const half of this.halves) if (half) act(half.view);
+    for (const { view } of [this.halves[1], ...Object.values(this.others)]) act(view);
   }
 
   #focus({ reeb }) {
@@ -162,24 +172,33 @@ export class App {
   }
 
   #updateCompare({ compare }) {
-    const wanted = compare && this.canCompare;
-    if (wanted && !this.halves[0]) {
-      const { straight } = this.model;
-      const view = new LayersView(straight, this.clip);
-      view.setColors(this.colors);
-      view.setLift(this.lift);
-      this.halves[0] = { view, grid: new PlanGrid(straight) };
-      this.stage.model.add(view.root);
-    }
+    const wanted = this.comparable.includes(compare);
+    if (wanted) this.halves[0] = this.#other(compare);
+    for (const { view } of Object.values(this.others)) view.root.visible = false;
     this.stage.split = wanted;
     this.overlay.halves.hidden = !wanted;
+    if (wanted) this.overlay.left.textContent = kOthers[compare].title;
+  }
+
+  /** What is shown on the left; made when it is first asked for. */
+  #other(key) {
+    if (!this.others[key]) {
+      const plan = this.model.others[key];
+      const view = new LayersView(plan, this.clip);
+      view.setColors(this.colors);
+      view.setLift(this.lift);
+      this.others[key] = { view, grid: new PlanGrid(plan) };
+      this.stage.model.add(view.root);
+    }
+    return this.others[key];
   }
 
   #updateCut(values) {
     this.cut = cutOf(values, this.box);
     this.clip.set(this.cut);
     this.layersView.setCut(this.cut);
-    if (values.compare && this.halves[0]) this.halves[0].view.setCut(this.cut);
+    if (this.stage.split) this.halves[0].view.setCut(this.cut);
+    this.holesView.setShown(values.holes, values.holesCut);
     this.handle.set(values);
   }
 

@@ -4,6 +4,7 @@ import { Vector4 } from 'three';
 import { kMostPlanes } from './cut.js';
 
 const kBlockPlanes = 6;
+const kMargin = 1e-6; // of the model's size; numbers on graphics cards have seven digits
 
 const kVertexHead = /* glsl */ `
 varying vec3 vModel;
@@ -23,9 +24,10 @@ uniform vec4 cutPlane[${kMostPlanes}];
 uniform int cutCount;
 uniform vec4 blockPlane[${kBlockPlanes}];
 uniform int blockCount;
+uniform float cutMargin;
 bool isCutAway(vec3 p) {
   for (int i = 0; i < ${kMostPlanes}; ++i)
-    if (i < cutCount && dot(cutPlane[i].xyz, p) + cutPlane[i].w < 0.0) return true;
+    if (i < cutCount && dot(cutPlane[i].xyz, p) + cutPlane[i].w < -cutMargin) return true;
   if (blockCount == 0) return false;
   for (int i = 0; i < ${kBlockPlanes}; ++i)
     if (i < blockCount && dot(blockPlane[i].xyz, p) + blockPlane[i].w < 0.0) return false;
@@ -33,16 +35,25 @@ bool isCutAway(vec3 p) {
 }
 `;
 
-/** The uniforms of one cut, shared by all materials that it cuts. */
+/** The uniforms of one cut, shared by all materials that it cuts. While nothing is cut, they are compiled without it: cards then leave out
+ *  what is hidden before they shade it. */
 export class ClipUniforms {
   constructor() {
+    this.materials = [];
+    this.isCutting = false;
     const vectors = (n) => Array.from({ length: n }, () => new Vector4());
     this.uniforms = {
       cutPlane: { value: vectors(kMostPlanes) },
       cutCount: { value: 0 },
       blockPlane: { value: vectors(kBlockPlanes) },
       blockCount: { value: 0 },
+      cutMargin: { value: 0 },
     };
+  }
+
+  /** What lies in a plane but for rounding is kept: walls along the outline, level ground. */
+  setSize(size) {
+    this.uniforms.cutMargin.value = kMargin * size;
   }
 
   /** Take over what cutOf gave. */
@@ -52,11 +63,17 @@ export class ClipUniforms {
     (block ?? []).forEach(({ n, d }, i) => blockPlane.value[i].set(...n, d));
     cutCount.value = planes.length;
     blockCount.value = block ? block.length : 0;
+    const isCutting = planes.length > 0 || block !== null;
+    if (isCutting === this.isCutting) return;
+    this.isCutting = isCutting;
+    for (const material of this.materials) material.needsUpdate = true;
   }
 
   /** Make a material leave out what is cut away. `lifted`: vertices have an attribute that says how far they are. */
   applyTo(material, lifted = false) {
+    this.materials.push(material);
     material.onBeforeCompile = (shader) => {
+      if (!this.isCutting) return;
       Object.assign(shader.uniforms, this.uniforms);
       const define = lifted ? '#define USE_LIFT\n' : '';
       shader.vertexShader = shader.vertexShader
@@ -66,7 +83,7 @@ export class ClipUniforms {
         .replace('#include <common>', `#include <common>\n${kFragmentHead}`)
         .replace(/void main\(\) {/, 'void main() {\n  if (isCutAway(vModel)) discard;');
     };
-    material.customProgramCacheKey = () => (lifted ? 'cut-lifted' : 'cut');
+    material.customProgramCacheKey = () => (!this.isCutting ? 'whole' : lifted ? 'cut-lifted' : 'cut');
     return material;
   }
 }

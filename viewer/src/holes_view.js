@@ -1,10 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Boreholes as columns: a prism for each interval, in its layer's colour, and a dark head above the ground. All prisms are one mesh.
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, Group, Mesh, MeshLambertMaterial } from 'three';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DoubleSide,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshLambertMaterial,
+} from 'three';
 
-const kSides = 12;
-const kFewSides = 3; // beyond so many prisms
-const kMany = 4000;
+const kSides = [ // of a prism, where there are no more prisms than that
+  { sides: 12, most: 1000 },
+  { sides: 6, most: 4000 },
+  { sides: 3, most: Infinity },
+];
 const kHeadColor = '#2b3138';
 const kHeadWidth = 0.6; // of a column's
 
@@ -49,14 +61,34 @@ export class HolesView {
     this.columns = columnsOf(holes);
     this.heads = holes.filter(({ top }) => top !== null);
     const count = this.columns.length + this.heads.length;
-    this.prism = prism(count > kMany ? kFewSides : kSides);
+    this.prism = prism(kSides.find(({ most }) => count <= most).sides);
     this.geometry = this.#makeGeometry(count);
     this.whole = new MeshLambertMaterial({ vertexColors: true });
     this.cut = clip.applyTo(new MeshLambertMaterial({ vertexColors: true, side: DoubleSide }), true);
     this.mesh = new Mesh(this.geometry, this.cut);
     this.mesh.frustumCulled = false;
+    this.mesh.renderOrder = 0.5; // after the solids, which hide most of it
+    this.clip = clip;
     this.root = new Group();
-    this.root.add(this.mesh);
+    this.lines = this.#makeLines(count);
+    this.root.add(this.mesh, this.lines);
+  }
+
+  /** A line along each prism, for the time that a large model moves. */
+  #makeLines(count) {
+    const geometry = new BufferGeometry();
+    for (const [name, size] of [['position', 3], ['color', 3], ['lift', 1]])
+      geometry.setAttribute(name, new BufferAttribute(new Float32Array(2 * size * count), size));
+    const lines = new LineSegments(geometry, this.clip.applyTo(new LineBasicMaterial({ vertexColors: true }), true));
+    lines.frustumCulled = false;
+    lines.renderOrder = this.mesh.renderOrder;
+    lines.visible = false;
+    return lines;
+  }
+
+  setCoarse(wanted) {
+    this.lines.visible = wanted;
+    this.mesh.visible = !wanted;
   }
 
   #makeGeometry(count) {
@@ -82,13 +114,16 @@ export class HolesView {
   setColors(colors) {
     const n = this.prism.vertices.length;
     const attribute = this.geometry.getAttribute('color');
+    const lines = this.lines.geometry.getAttribute('color');
     const paint = (i, color) => {
       for (let k = 0; k < n; ++k) color.toArray(attribute.array, 3 * (n * i + k));
+      for (const k of [0, 1]) color.toArray(lines.array, 3 * (2 * i + k));
     };
     const of = colors.map((color) => new Color(color));
     this.columns.forEach(({ layer }, i) => paint(i, of[layer]));
     this.heads.forEach((_, i) => paint(this.columns.length + i, new Color(kHeadColor)));
     attribute.needsUpdate = true;
+    lines.needsUpdate = true;
   }
 
   /** Columns of this radius, lifted with their layers; heads are two radii high as they are seen. */
@@ -97,7 +132,10 @@ export class HolesView {
     const lifts = this.geometry.getAttribute('lift');
     const { vertices } = this.prism;
     const n = vertices.length;
+    const line = this.lines.geometry.attributes;
     const put = (i, { x, y }, top, base, width, up) => {
+      line.position.array.set([x, y, base + up, x, y, top + up], 6 * i);
+      line.lift.array.fill(up, 2 * i, 2 * i + 2);
       for (let k = 0, at = 3 * n * i; k < n; ++k, at += 3) {
         position.array[at] = x + width * vertices[k][0];
         position.array[at + 1] = y + width * vertices[k][1];
@@ -108,12 +146,11 @@ export class HolesView {
     this.columns.forEach((column, i) => put(i, column, column.top, column.base, radius, lift[column.layer]));
     const high = (2 * radius) / exaggeration;
     this.heads.forEach((hole, i) => put(this.columns.length + i, hole, hole.top + high, hole.top, kHeadWidth * radius, lift[0]));
-    position.needsUpdate = true;
-    lifts.needsUpdate = true;
+    for (const attribute of [position, lifts, line.position, line.lift]) attribute.needsUpdate = true;
   }
 
   setShown(shown, isCut) {
     this.root.visible = shown;
-    this.mesh.material = isCut ? this.cut : this.whole;
+    this.mesh.material = isCut && this.clip.isCutting ? this.cut : this.whole;
   }
 }

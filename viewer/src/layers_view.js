@@ -14,10 +14,14 @@ import {
   MeshBasicMaterial,
   MeshLambertMaterial,
 } from 'three';
+import { coarseIndex, representatives } from './coarse_plan.js';
 import { cutFaces } from './cut.js';
 import { GrowingPositions, putPolygon } from './growing_buffers.js';
 import { mixed } from './palette.js';
 import { opacityOf } from './settings.js';
+
+const kCoarseTriangles = 40000; // of tops and bases while a model moves too slowly
+const kFewestCells = 1500;
 
 function horizonAttributes(plan, k) {
   const position = new Float32Array(3 * plan.vertices);
@@ -161,6 +165,7 @@ export class LayersView {
   }
 
   setShading({ smooth, edges }) {
+    this.edges = edges;
     for (const layer of this.layers) {
       layer.setSmooth(smooth);
       layer.setEdges(edges);
@@ -192,6 +197,29 @@ export class LayersView {
       geometry.setDrawRange(0, used);
       geometry.index.needsUpdate = true;
     }
+    this.coarse?.forEach((geometry) => geometry.dispose());
+    this.coarse = null;
+  }
+
+  /** Draw tops and bases with fewer triangles, or whole again; edges of the mesh are left out meanwhile. */
+  setCoarse(wanted) {
+    if (wanted) this.coarse ??= this.#coarseSheets();
+    this.layers.forEach(({ solid, geometries, wires }, i) => {
+      for (const k of [0, 1]) solid[k].geometry = wanted ? this.coarse[2 * i + k] : geometries[k];
+      for (const wire of wires) wire.visible = !wanted && this.edges;
+    });
+  }
+
+  #coarseSheets() {
+    const sheets = this.layers.flatMap(({ geometries }) => geometries.slice(0, 2));
+    const drawn = sheets.reduce((sum, geometry) => sum + geometry.drawRange.count / 3, 0);
+    const cells = Math.max(kFewestCells, (this.plan.vertices * kCoarseTriangles) / Math.max(drawn, 1));
+    const stands = representatives(this.plan, cells);
+    return sheets.map((geometry) => {
+      const { position, normal } = geometry.attributes;
+      const index = coarseIndex(this.plan, geometry.index.array, geometry.drawRange.count, stands);
+      return sheet({ position, normal }, new BufferAttribute(index, 1));
+    });
   }
 
   /** Fill the faces of a cut. */

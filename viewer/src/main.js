@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Opens the model that the page holds.
 import './style.css';
-import { App, suitableExaggeration } from './app.js';
+import { App } from './app.js';
+import { suitableExaggeration } from './exaggeration.js';
 import { Model } from './model.js';
 import { Settings, fromFragment } from './settings.js';
 import { fillShell, makeShell } from './shell.js';
@@ -36,6 +37,7 @@ function saidOf(model, fragment) {
   if (said.hidden) said.hidden = said.hidden.filter(isLayer);
   if (said.reeb && said.reeb !== 'layered' && !model.graphs.layers[said.reeb]) said.reeb = 'off';
   if (said.contours && said.contours !== 'solids' && !isLayer(Number(said.contours) - 1) && said.contours !== '0') said.contours = 'off';
+  if (said.compare && !model.others[said.compare]) said.compare = 'off';
   if (said.hole !== undefined && !model.holes[said.hole]) said.hole = -1;
   return said;
 }

@@ -33,7 +33,8 @@ export class Model {
     this.units = header.units;
     this.datum = header.origin.map((c, k) => c + centre[k]); // add it for map coordinates
     this.plan = new LayerPlan(shifted(surfaces, centre));
-    this.straight = header.straight ? new LayerPlan(shifted(readSurfaces(lists, header.straight), centre)) : null;
+    const planOf = (said) => (said ? new LayerPlan(shifted(readSurfaces(lists, said), centre)) : null);
+    this.others = { unrefined: planOf(header.unrefined), straight: planOf(header.straight) }; // to be shown beside it
     this.holes = header.holes.map((hole) => ({
       ...hole,
       x: hole.x - centre[0],

@@ -4,7 +4,7 @@ import { cutNormal, spanAlong } from './cut.js';
 import { kPalettes } from './palette.js';
 import { opacityOf } from './settings.js';
 import { button, h, section } from './ui.js';
-import { slabText, volumeText } from './words.js';
+import { kOthers, slabText, volumeText } from './words.js';
 
 const without = (list, item) => list.filter((other) => other !== item);
 
@@ -156,7 +156,7 @@ function cutSection(context) {
 function contoursSection({ app, bindings }) {
   const surfaces = { off: 'none', solids: 'all over the layers', 0: 'the ground' };
   app.units.forEach((unit, i) => (surfaces[i + 1] = `base of ${unit.name}`));
-  return section('contours', 'Contours', false,
+  return section('contours', 'Contours', bindings.settings.get('contours') !== 'off',
     bindings.choice('contours', 'On', surfaces),
     bindings.number('interval', 'Every', { min: 0, unit: app.lengthUnit, placeholder: 'auto' }),
     bindings.number('level', 'Or only at z', { unit: app.lengthUnit, text: true, placeholder: 'all' }));
@@ -173,14 +173,17 @@ function reebSection({ app, bindings }) {
     place.replaceChildren(...(diagram ? [diagram] : []));
     note.textContent = text;
   });
-  return section('reeb', 'Reeb graph', false, bindings.choice('reeb', 'Of', graphs), place, note);
+  return section('reeb', 'Reeb graph', bindings.settings.get('reeb') !== 'off', bindings.choice('reeb', 'Of', graphs), place, note);
 }
 
 function compareSection({ app, bindings }) {
-  if (!app.canCompare) return section('compare', 'Raw beside smooth', false, h('p', { class: 'note' }, 'The boreholes make no triangle to compare with.'));
-  return section('compare', 'Raw beside smooth', false,
-    bindings.check('compare', 'Straight between boreholes beside the model'),
-    h('p', { class: 'note' }, 'Left: the boreholes’ triangles with the model’s elevations at the holes. Right: the model. Both move and are cut alike.'));
+  if (app.comparable.length === 0) return section('compare', 'Raw beside smooth', false, h('p', { class: 'note' }, 'There is nothing to compare the model with.'));
+  const options = { off: 'nothing', ...Object.fromEntries(app.comparable.map((key) => [key, kOthers[key].title])) };
+  const note = h('p', { class: 'note' });
+  bindings.follow(({ compare }) => {
+    note.textContent = kOthers[compare] ? `${kOthers[compare].note} Right: the model. Both move and are cut alike.` : 'Both sides move and are cut alike.';
+  });
+  return section('compare', 'Raw beside smooth', bindings.settings.get('compare') !== 'off', bindings.choice('compare', 'Left', options), note);
 }
 
 function outputSection({ app, settings }) {

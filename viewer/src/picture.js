@@ -26,9 +26,7 @@ function legend(pen, entries, right, dark) {
 /** A blob of the picture. `entries`: { name, color } of the layers shown; `title`, `caption` above and below. */
 export async function pictureOf(stage, { title, caption, entries, dark, background, labels }) {
   const [width, height] = stage.size;
-  const before = stage.renderer.getPixelRatio();
-  stage.renderer.setPixelRatio(kScale);
-  stage.renderer.setSize(width, height, false);
+  stage.pixels = kScale;
   stage.draw();
   const canvas = document.createElement('canvas');
   canvas.width = width * kScale;
@@ -37,8 +35,7 @@ export async function pictureOf(stage, { title, caption, entries, dark, backgrou
   pen.fillStyle = background;
   pen.fillRect(0, 0, canvas.width, canvas.height);
   pen.drawImage(stage.canvas, 0, 0, canvas.width, canvas.height);
-  stage.renderer.setPixelRatio(before);
-  stage.renderer.setSize(width, height, false);
+  stage.pixels = null;
   stage.draw();
   pen.scale(kScale, kScale);
   const ink = dark ? '#e6e9ed' : '#1c2126';

@@ -5,6 +5,8 @@ import { firstColumn, firstLayer } from './ray.js';
 import { h } from './ui.js';
 import { holeLabel } from './words.js';
 
+const kReach = 6; // pixels around the head of a borehole that mean it
+const kTouchReach = 16;
 const kClick = 6; // pixels that a pointer may move between down and up
 
 export class Pointer {
@@ -62,6 +64,20 @@ export class Pointer {
     });
   }
 
+  /** What is meant at a place on the canvas: what is seen there, or the head of a borehole close by. */
+  near(px, py, reach) {
+    const found = this.at(px, py);
+    if (found?.kind === 'hole' || !this.app.settings.values.holes) return found;
+    let best = null;
+    for (const hole of this.app.holesView.heads) {
+      const [x, y, isInFront] = this.stage.project([hole.x, hole.y, hole.top + this.app.lift[0]]);
+      const far = Math.hypot(x - px, y - py);
+      if (isInFront && far <= (best?.far ?? reach)) best = { far, x, y };
+    }
+    const head = best ? this.at(best.x, best.y) : null;
+    return head?.kind === 'hole' ? head : found;
+  }
+
   /** What is seen at a place on the canvas: { kind: 'layer' | 'hole', layer, point, shown, column }, or null. */
   at(px, py) {
     const { origin, direction, half } = this.stage.ray(px, py);
@@ -79,7 +95,7 @@ export class Pointer {
   }
 
   #hover() {
-    const found = this.over ? this.at(...this.over) : null;
+    const found = this.over ? this.near(...this.over, kReach) : null;
     this.app.tell(found);
     this.tip.hidden = found?.kind !== 'hole';
     if (!this.tip.hidden) {
@@ -90,7 +106,7 @@ export class Pointer {
   }
 
   #click(place, byTouch) {
-    const found = this.at(...place);
+    const found = this.near(...place, byTouch ? kTouchReach : kReach);
     if (byTouch) this.app.tell(found);
     if (this.measuring) {
       if (found) this.#addEnd(found);

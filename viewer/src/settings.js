@@ -30,7 +30,7 @@ export const kDefaults = Object.freeze({
   level: '', // one elevation instead of many
   reeb: 'off', // off, layered, or a layer's number
   picked: '', // n3: a node, a5: an arc
-  compare: false,
+  compare: 'off', // off, or what stands beside the model: unrefined, straight
   orthographic: false,
   camera: [], // position, target, zoom
   frame: true,
@@ -42,6 +42,7 @@ const kChoices = {
   theme: ['auto', 'light', 'dark'],
   cut: ['off', 'x', 'y', 'z', 'azimuth'],
   block: ['off', 'keep', 'remove'],
+  compare: ['off', 'unrefined', 'straight'],
 };
 const kRanges = {
   opacity: [0, 1],

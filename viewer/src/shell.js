@@ -24,11 +24,13 @@ const kKeys = [
 /** Elements of the page; `canvas` and overlay places for the stage. */
 export function makeShell(title, facts) {
   const canvas = h('canvas', { tabindex: '0', 'aria-label': 'the model in 3D' });
+  const left = h('span', {});
   const overlay = {
+    left,
     ticks: h('div', { class: 'overlay ticks' }),
     knobs: h('div', { class: 'overlay knobs' }),
     labels: h('div', { class: 'overlay' }),
-    halves: h('div', { class: 'halves', hidden: true }, h('span', {}, 'straight between boreholes'), h('span', {}, 'model')),
+    halves: h('div', { class: 'halves', hidden: true }, left, h('span', {}, 'model')),
   };
   const parts = {
     tools: h('nav', { class: 'tools', 'aria-label': 'views' }),
@@ -149,6 +151,13 @@ function listenToKeys(app) {
   });
 }
 
+/** What a newcomer may try, until the pointer is over something. */
+function hint() {
+  return matchMedia('(pointer: coarse)').matches
+    ? 'One finger turns, two zoom. Tap a borehole for its log.'
+    : 'Drag turns, wheel zooms, X cuts; click a borehole for its log; ? lists the keys.';
+}
+
 /** Fill the page around an app. */
 export function fillShell(app, bindings, shell) {
   app.parts = shell.parts;
@@ -158,6 +167,7 @@ export function fillShell(app, bindings, shell) {
   shell.parts.panel.append(...panel(app, bindings));
   followHole(app);
   listenToKeys(app);
+  shell.parts.status.append(h('span', { class: 'hint' }, hint()));
   app.tell = (found) => {
     shell.parts.status.replaceChildren(...wordsFor(app, found).flatMap(([what, text]) => [h('b', {}, what), h('span', { 'data-fact': what }, text)]));
   };

@@ -11,6 +11,7 @@ import {
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { Pace } from './pace.js';
 
 const kFieldOfView = 32; // degrees: little distortion
 const kMargin = 1.06; // around the model
@@ -46,10 +47,21 @@ export class Stage {
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.zoomToCursor = true;
     this.controls.addEventListener('change', () => this.request());
-    this.controls.addEventListener('start', () => (this.view = null));
+    this.controls.addEventListener('start', () => {
+      this.view = null;
+      this.pace.begin();
+    });
+    this.controls.addEventListener('end', () => !this.turning && this.pace.end());
+    this.onCoarse = () => {}; // told whether to draw fewer triangles
+    this.pace = new Pace(
+      this.renderer.getContext(),
+      ({ coarse }) => this.onCoarse(coarse),
+      () => this.request(),
+    );
     this.view = null; // the name of the view that is shown, until the reader turns it
     this.frames = 0; // drawn so far, for tests
     this.split = false;
+    this.pixels = null; // for one of the page, where a picture asks for its own
     this.beforeHalf = () => {}; // called with 0 and 1 before each half of a split picture, with 1 for a whole one
     this.afterFrame = () => {};
     this.bounds = { low: [-1, -1, -1], high: [1, 1, 1] };
@@ -70,11 +82,16 @@ export class Stage {
   resize() {
     const { clientWidth, clientHeight } = this.canvas.parentElement;
     if (clientWidth === 0 || clientHeight === 0) return;
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     this.renderer.setSize(clientWidth, clientHeight, false);
     this.size = [clientWidth, clientHeight];
     if (this.view) this.show(this.view);
     this.request();
+  }
+
+  /** Right before drawing, since it clears the canvas. */
+  #setPixels() {
+    const ratio = this.pixels ?? Math.min(window.devicePixelRatio || 1, this.pace.applied.pixels);
+    if (ratio !== this.renderer.getPixelRatio()) this.renderer.setPixelRatio(ratio);
   }
 
   /** Width over height of what one camera sees. */
@@ -86,13 +103,24 @@ export class Stage {
     if (this.pending) return;
     this.pending = requestAnimationFrame((time) => {
       this.pending = 0;
-      this.draw(time);
+      if (this.pace.busy) return this.request();
+      const begun = performance.now();
+      if (this.turning) this.#turn(time);
+      this.#render();
+      this.pace.drawn(begun);
+      if (this.turning) this.request();
     });
   }
 
-  /** Draw now. */
-  draw(time = performance.now()) {
-    if (this.turning) this.#turn(time);
+  /** Draw now, and all that there is. */
+  draw() {
+    this.pace.rest();
+    this.#render();
+    if (this.turning) this.setTurning(true);
+  }
+
+  #render() {
+    this.#setPixels();
     this.#fitCamera();
     const [width, height] = this.size;
     const { renderer } = this;
@@ -112,7 +140,6 @@ export class Stage {
     }
     ++this.frames;
     this.afterFrame();
-    if (this.turning) this.request();
   }
 
   /** Near and far planes around the model, and the parallel camera's width like the other's at the target. */
@@ -211,6 +238,8 @@ export class Stage {
     this.view = null;
     this.turning = turning;
     this.lastTurn = 0;
+    if (turning) this.pace.begin();
+    else this.pace.end();
     this.request();
   }
 

@@ -5,6 +5,12 @@ import { pickedIn } from './graphs.js';
 import { grouped } from './model.js';
 import { columnAt } from './plan_grid.js';
 
+/** What may stand beside the model. */
+export const kOthers = {
+  unrefined: { title: 'before refinement', note: 'Left: the predicted surfaces that refinement began with, in the triangles of its control mesh.' },
+  straight: { title: 'straight between boreholes', note: 'Left: the boreholes’ triangles with the model’s elevations at the holes.' },
+};
+
 /** A unit's volume, with a power of ten where it is large. */
 export function volumeText(app, { volume }) {
   if (volume === undefined) return '';

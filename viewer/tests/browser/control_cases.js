@@ -28,7 +28,7 @@ test('each control changes the picture', async () => {
     select('palette', 'safe'), select('palette', 'ordered'), select('theme', 'dark'),
     select('contours', 'solids'), select('contours', '0'), select('reeb', '2'), select('reeb', 'layered'),
     press('cut', 'x'), press('cut', 'azimuth'), press('block', 'remove'), press('block', 'keep'),
-    slide('slab', 0.3), check('compare', true),
+    slide('slab', 0.3), select('compare', 'straight'),
   ];
   await reset();
   const start = await picture();

@@ -14,7 +14,7 @@ test('a thousand changes leave nothing behind', async () => {
       const state = (i) => ({
         cut: ['off', 'x', 'y', 'z', 'azimuth'][i % 5], cutAt: (i % 17) / 17, block: ['off', 'remove', 'keep'][i % 3], slab: i % 4 === 0 ? i % 20 : 0,
         explode: i % 6 === 0 ? 0.3 : 0, contours: ['off', 'solids', '0', '2'][i % 4], reeb: ['off', '2', '4', 'layered'][i % 4], picked: `a${i % 6}`,
-        compare: i % 11 === 0, hidden: i % 7 === 0 ? [1] : [], opacity: i % 9 === 0 ? 0.5 : 1, smooth: i % 2 === 0, edges: i % 50 === 0, palette: ['model', 'safe'][i % 2],
+        compare: i % 11 === 0 ? 'straight' : 'off', hidden: i % 7 === 0 ? [1] : [], opacity: i % 9 === 0 ? 0.5 : 1, smooth: i % 2 === 0, edges: i % 50 === 0, palette: ['model', 'safe'][i % 2],
         hole: i % 30, orthographic: i % 13 === 0, theme: i % 2 ? 'dark' : 'light',
       });
       for (let i = 0; i < n; ++i) {

@@ -6,6 +6,8 @@ import { keep, page } from './session.js';
 import './cut_cases.js';
 import './pointer_cases.js';
 import './control_cases.js';
+import './motion_cases.js';
+import './thin_cases.js';
 import './device_cases.js';
 
 test('opens from disk without a network, says nothing in the console, names all layers', async () => {

@@ -13,6 +13,8 @@ export const pictures = path.resolve('pictures');
 const kTables = {
   sighthill: ['examples/sighthill/intervals.csv', '--collars', 'examples/sighthill/collars.csv', '--refine', '0'],
   thesis: ['examples/thesis_sample3.csv', '--refine', '0'],
+  graben: ['examples/graben/holes.csv', '--faults', 'examples/graben/faults.geojson', '--footprint', 'box', '--refine', '0'],
+  refined: ['examples/thesis_sample3.csv', '--refine', '1'],
   teapot: ['../shared/data/teapot_dome/wide_shannon.csv', '--unit', 'ft', '--refine', '0'],
 };
 

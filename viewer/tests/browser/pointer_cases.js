@@ -111,7 +111,7 @@ test('a graph is picked in the diagram and in the model', async () => {
 
 test('raw beside smooth: two halves that differ, and the pointer knows which', async () => {
   await reset('oblique');
-  await set({ compare: true, cut: 'y' });
+  await set({ compare: 'straight', cut: 'y' });
   const { left, right, same } = await page.evaluate(() => {
     const app = window.stratareeb;
     app.stage.show('south');
