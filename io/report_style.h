@@ -28,6 +28,7 @@ th { text-align: left; font-weight: 600; color: var(--soft); vertical-align: bot
 th, td { padding: 5px 14px 5px 0; border-bottom: 1px solid var(--line); }
 .number { text-align: right; white-space: nowrap; }
 .stack { display: block; }
+td:first-child { white-space: nowrap; }
 td i { display: inline-block; width: 14px; height: 14px; border-radius: 3px; margin-right: 8px; vertical-align: -2px; }
 tr.sum td { font-weight: 600; }
 img.small { width: 200px; height: auto; display: block; background: #ffffff; border-radius: 3px; }
@@ -36,7 +37,10 @@ code { background: var(--panel); padding: 1px 5px; border-radius: 3px; font-size
 summary { cursor: pointer; }
 .stack figure { max-width: 980px; }
 @media print { :root { --ink: #000; --soft: #444; --line: #bbb; --paper: #fff; --panel: #fff; } main { max-width: none; padding: 0; }
-  h2 { break-after: avoid; } tr { break-inside: avoid; } .figures { grid-template-columns: 1fr 1fr; } body { font-size: 11px; } }
+  @page { margin: 14mm; }
+  h2 { break-after: avoid; } tr { break-inside: avoid; } .figures { grid-template-columns: 1fr 1fr; } body { font-size: 11px; }
+  .wide { overflow: visible; } table { font-size: 8.5px; max-width: 100%; } th, td { padding: 3px 6px 3px 0; overflow-wrap: anywhere; }
+  img.small { width: 90px; } td i { width: 9px; height: 9px; margin-right: 4px; } }
 )css";
 
 }  // namespace stratareeb

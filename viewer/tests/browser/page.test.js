@@ -9,6 +9,7 @@ import './control_cases.js';
 import './motion_cases.js';
 import './thin_cases.js';
 import './device_cases.js';
+import './report_cases.js';
 
 test('opens from disk without a network, says nothing in the console, names all layers', async () => {
   assert.deepEqual(page.asked.filter((url) => !url.startsWith('file://') && !url.startsWith('data:') && !url.startsWith('blob:')), []);
