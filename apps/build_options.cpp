@@ -116,6 +116,10 @@ void add_build_options(CLI::App& command, BuildArguments& arguments) {
     command.add_option("-o,--output", arguments.output, "Folder for the model")->required();
     command.add_option("--ground", arguments.ground,
                        "Elevation raster of the ground (GeoTIFF, ESRI ASCII, …)");
+    command.add_option(
+        "--crs", arguments.crs,
+        "Coordinate reference system of the coordinates, as EPSG:27700 (what the tables or the "
+        "ground raster state)");
     command.add_option("--interpolator", arguments.interpolator, "Prediction between holes")
         ->check([](const std::string& name) {
             if (name == "auto") return std::string();

@@ -32,6 +32,7 @@ struct BuildArguments {
                                 interpolator{name_of(kDefaultInterpolator)}, pinch_out = "half",
                                 refine = "auto";
     std::vector<std::string> formats;
+    std::string crs;      // of the coordinates; empty = the input's own, if it states one
     std::string deliver;  // folder to hand over; empty = none
     NormalWeight normals = NormalWeight::Uniform;
     StepKind step = StepKind::Faceted;

@@ -17,6 +17,7 @@
 #include "boreholes/errors.h"
 #include "boreholes/plan_layout.h"
 #include "io/faceted_bodies.h"
+#include "io/map_reference.h"
 #include "io/model_holes.h"
 #include "io/read_faults.h"
 #include "io/read_footprint.h"
@@ -67,9 +68,11 @@ class Build {
     //! The walk.
     void build(const BoreholeTable& table, int levels) {
         StagedFolder folder(arguments_.output, arguments_.overwrite);
+        unrefined_.reset();
         ModelRecord record{
             .units = {}, .checks = {}, .warnings = {}, .options = arguments_.record(), .files = {}};
         LayerModel model = model_of(table.survey, levels, record);
+        record.crs = crs_of(table);
         record.warnings = warnings_of(table, model);
         write_horizons(folder, model, kHorizonsFolder);
         if (unrefined_) write_horizons(folder, *unrefined_, kUnrefinedFolder);
@@ -92,7 +95,8 @@ class Build {
 
     //! What an earlier model left, pages that `view` and `report` made of it too.
     std::vector<std::string> replaced_files() const {
-        std::vector<std::string> files = files_of_model(arguments_.output);
+        std::vector<std::string> files =
+            listed_files(std::filesystem::path(arguments_.output) / "model.json");
         files.insert(files.end(), {"model.html", "report.html"});
         return files;
     }
@@ -226,6 +230,22 @@ class Build {
         const double margin =
             arguments_.margin >= 0 ? arguments_.margin : suitable_margin(HoleTriangulation(holes));
         return box_footprint(holes, margin);
+    }
+
+    //! As asked for, or as the tables or the ground's raster state it.
+    std::string crs_of(const BoreholeTable& table) {
+        const std::string of_ground = terrain_ ? terrain_->crs : "";
+        const std::string crs = reference_name(!arguments_.crs.empty() ? arguments_.crs
+                                               : !table.crs.empty()    ? table.crs
+                                                                       : of_ground);
+        if (is_in_degrees(crs))
+            notes_.push_back(
+                fmt::format("x and y are degrees of {}; areas and volumes need a projected system", crs));
+        if (!of_ground.empty() && !is_same_reference(crs, of_ground))
+            notes_.push_back(
+                fmt::format("the ground's raster is in {}, the model in {}; the raster is not projected anew",
+                            reference_name(of_ground), crs));
+        return crs;
     }
 
     std::vector<std::string> warnings_of(const BoreholeTable& table, const LayerModel& model) const {

@@ -13,8 +13,9 @@ void add_deliver_command(CLI::App& program) {
     command->add_option("DIR", arguments->folder, "Folder that build wrote")->required();
     add_report_options(*command, arguments->choices);
     command->add_option("-o,--output", arguments->output, "Folder to write")->required();
-    command->add_option("--crs", arguments->crs,
-                        "Coordinate reference system of the model for GIS files, as EPSG:27700");
+    command->add_option(
+        "--crs", arguments->crs,
+        "Coordinate reference system of the model for GIS files, as EPSG:27700 (the model's own)");
     command->add_flag("--overwrite", arguments->overwrite,
                       "Write into a folder that holds something already");
     command->callback([arguments] { deliver(*arguments); });

@@ -28,7 +28,8 @@ struct GridArguments {
 };
 
 //! Ground and bases, one band each.
-void write_horizons(const GridArguments& arguments, const LayerModel& model, const PlanGrid& plan) {
+void write_horizons(const GridArguments& arguments, const SavedModel& saved, const PlanGrid& plan) {
+    const LayerModel& model = saved.model;
     std::vector<const std::vector<double>*> fields;
     for (const auto& horizon : model.horizons) fields.push_back(&horizon);
     auto values = rasterized(model, plan, fields);
@@ -42,7 +43,7 @@ void write_horizons(const GridArguments& arguments, const LayerModel& model, con
         grid.bands.push_back(
             {k == 0 ? "ground" : "base of " + model.units[k - 1].name, std::move(values[k])});
     }
-    write_grid(arguments.output, grid, arguments.crs);
+    write_grid(arguments.output, grid, saved.crs_or(arguments.crs));
 }
 
 json grid_json(const LayerModel& model, const FlowGrid& grid) {
@@ -90,7 +91,7 @@ void run(const GridArguments& arguments) {
     const SavedModel saved = read_model(arguments.folder);
     const PlanGrid plan = grid_over(saved.model, arguments.cell);
     const FlowGrid grid = flow_grid(saved.model, plan, arguments.thinnest);
-    if (!arguments.output.empty()) write_horizons(arguments, saved.model, plan);
+    if (!arguments.output.empty()) write_horizons(arguments, saved, plan);
     if (!arguments.modflow.empty()) {
         StagedFolder folder(arguments.modflow, arguments.overwrite);
         write_modflow(folder, grid, saved.model);
@@ -120,7 +121,9 @@ void add_grid_command(CLI::App& program) {
         ->add_option("--thinnest", arguments->thinnest,
                      "Units thinner than this are passed through (0: absent ones only)")
         ->check(CLI::NonNegativeNumber);
-    command->add_option("--crs", arguments->crs, "Coordinate reference system of the model, as EPSG:27700");
+    command->add_option(
+        "--crs", arguments->crs,
+        "Coordinate reference system of the model for GIS files, as EPSG:27700 (the model's own)");
     command->add_flag("--json", arguments->json, "Print size, cells and volumes as JSON");
     command->add_flag("--overwrite", arguments->overwrite, "Replace files that are there");
     command->callback([arguments] { run(*arguments); });

@@ -67,9 +67,9 @@ class MapRun {
         else if (is_feature_file(file))
             write_features(
                 file, is_geology_ ? area_features(areas_, model_.units) : line_features(model_, contours_),
-                {.table = arguments_.show, .crs = arguments_.crs, .flat = false});
+                {.table = arguments_.show, .crs = saved_.crs_or(arguments_.crs), .flat = false});
         else
-            write_grid(file, gridded(), arguments_.crs);
+            write_grid(file, gridded(), saved_.crs_or(arguments_.crs));
     }
 
     void print() const {
@@ -244,8 +244,9 @@ void add_map_command(CLI::App& program) {
     command
         ->add_option("--cell", arguments->cell, "Side of a grid's cells (a round one that gives about 500)")
         ->check(CLI::PositiveNumber);
-    command->add_option("--crs", arguments->crs,
-                        "Coordinate reference system of the model for GIS files, as EPSG:27700");
+    command->add_option(
+        "--crs", arguments->crs,
+        "Coordinate reference system of the model for GIS files, as EPSG:27700 (the model's own)");
     command->add_option("--title", arguments->title, "Over the drawing");
     command->add_flag("--json", arguments->json, "Print areas or lines as JSON");
     command->add_flag("--overwrite", arguments->overwrite, "Replace files that are there");

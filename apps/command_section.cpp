@@ -169,9 +169,9 @@ void add_section_command(CLI::App& program) {
     command->add_option("--at-z", arguments->at_z, "A level instead: a horizontal section at this elevation");
     command->add_flag("--critical", arguments->critical,
                       "Levels at all heights at which the contours of a layer come, go, part or join");
-    command->add_option(
-        "--crs", arguments->crs,
-        "Coordinate reference system of the model, for the polygons of a level, as EPSG:27700");
+    command->add_option("--crs", arguments->crs,
+                        "Coordinate reference system of the model, for the polygons of a level, as "
+                        "EPSG:27700 (the model's own)");
     command->add_option(
         "-o,--output", arguments->outputs,
         "Drawing (.svg, .pdf, .png), polygons for CAD and GIS (.dxf, .gpkg, .geojson), or the upright panel "

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -74,7 +73,7 @@ class Split {
         record_["files"] = folder.files();
         const std::string text = record_.dump(2) + "\n";
         write_aside(file, [&](std::ostream& stream) { stream << text; });
-        folder.commit(earlier_files());
+        folder.commit(listed_files(std::filesystem::path(arguments_.output) / kRecord));
         progress_.clear();
         if (arguments_.json)
             std::fputs(text.c_str(), stdout);
@@ -141,17 +140,6 @@ class Split {
         constexpr double kTolerance = 1e-9;
         if (std::abs(sum - whole) > kTolerance * whole)
             throw GeometryError(fmt::format("the slabs' volumes add up to {:.12g} of {:.12g}", sum, whole));
-    }
-
-    std::vector<std::string> earlier_files() const {
-        std::ifstream file(std::filesystem::path(arguments_.output) / kRecord);
-        std::vector<std::string> files;
-        if (!file) return files;
-        const ordered_json json = ordered_json::parse(file, nullptr, false);
-        if (json.is_object() && json.contains("files") && json["files"].is_array())
-            for (const auto& name : json["files"])
-                if (name.is_string()) files.push_back(name.get<std::string>());
-        return files;
     }
 
     void print(std::size_t files) const {

@@ -30,10 +30,10 @@ struct VolumeArguments {
 };
 
 constexpr const char* kMethod =
-    "boreholes left out in 10 draws and predicted by the others, each standing for the area nearest to it; "
-    "mean error times area, and RMSE times the root of the sum of squared areas, times Student's t; too "
-    "small where "
-    "boreholes stand in groups";
+    "boreholes left out, groups together, and predicted by the others, each standing for the area nearest to "
+    "it; mean error "
+    "times area, and RMSE times the root of the sum of squared areas, more where boreholes are far, times "
+    "Student's t";
 
 VolumeWindow window_of(const VolumeArguments& arguments) {
     VolumeWindow window;

@@ -68,7 +68,8 @@ void run(const VoxelsArguments& arguments) {
     const SavedModel saved = read_model(arguments.folder);
     const VoxelBlock block =
         voxel_block(saved.model, arguments.cell, arguments.height > 0 ? arguments.height : arguments.cell);
-    write_voxels(arguments.output, block, saved.model.units, saved.model.length_unit, arguments.crs);
+    write_voxels(arguments.output, block, saved.model.units, saved.model.length_unit,
+                 saved.crs_or(arguments.crs));
     const json result = block_json(saved.model, block);
     if (arguments.json)
         std::fputs(json_text(result).c_str(), stdout);
@@ -91,7 +92,9 @@ void add_voxels_command(CLI::App& program) {
         ->check(CLI::PositiveNumber);
     command->add_option("--height", arguments->height, "Their height; as the side if left out")
         ->check(CLI::PositiveNumber);
-    command->add_option("--crs", arguments->crs, "Coordinate reference system of the model, as EPSG:27700");
+    command->add_option(
+        "--crs", arguments->crs,
+        "Coordinate reference system of the model for GIS files, as EPSG:27700 (the model's own)");
     command->add_flag("--json", arguments->json, "Print size, cells and volumes as JSON");
     command->add_flag("--overwrite", arguments->overwrite, "Replace a file that is there");
     command->callback([arguments] { run(*arguments); });

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -23,15 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kListFile = "files.txt";
-
-//! The folder's own list of an earlier run, so that none of its files stays.
-std::vector<std::string> earlier_files(const fs::path& output) {
-    std::vector<std::string> files;
-    std::ifstream list(output / kListFile);
-    for (std::string line; std::getline(list, line);)
-        if (!line.empty()) files.push_back(line);
-    return files;
-}
 
 void copy_model(const fs::path& model, const std::vector<std::string>& files, StagedFolder& folder) {
     for (const std::string& file : files) {
@@ -65,7 +55,7 @@ void deliver(const DeliverArguments& arguments) {
     const SavedRecord record = read_record(model);
     ReportOptions options = report_options(arguments.choices, record, progress);
     options.for_delivery = true;
-    options.crs = arguments.crs;
+    options.crs = saved.crs_or(arguments.crs);
     const ReportFigures figures =
         write_report_figures(saved, options, [&](const std::string& file) { return folder.add(file); });
     progress.step("copying the model", 1);
@@ -81,7 +71,7 @@ void deliver(const DeliverArguments& arguments) {
     write_aside(list, [&](std::ostream& stream) {
         for (const std::string& file : folder.files()) stream << file << '\n';
     });
-    folder.commit(earlier_files(arguments.output));
+    folder.commit(listed_files(fs::path(arguments.output) / kListFile));
     progress.clear();
     if (!arguments.quiet)
         fmt::print("{} files in {}; start with index.html\n", folder.files().size(), arguments.output);

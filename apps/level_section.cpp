@@ -155,8 +155,9 @@ void run_level_sections(const SectionArguments& arguments, const SavedModel& sav
             for (std::size_t i = 0; i < (arguments.critical ? levels.size() : 1); ++i)
                 draw(*file++, arguments, saved, levels[i]);
         else
-            write_features(*file++, features_of(levels, model.units),
-                           {.table = "level", .crs = arguments.crs, .flat = !arguments.critical});
+            write_features(
+                *file++, features_of(levels, model.units),
+                {.table = "level", .crs = saved.crs_or(arguments.crs), .flat = !arguments.critical});
     }
     if (!arguments.json) {
         for (const Level& level : levels) print_level(model, level);

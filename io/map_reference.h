@@ -12,4 +12,14 @@ namespace stratareeb {
 //! \throw InvalidInput if GDAL doesn't know it
 std::shared_ptr<OGRSpatialReference> map_reference(const std::string& crs);
 
+//! A short name for it: "EPSG:27700" where an authority lists it, else WKT in one line; empty for an empty text.
+//! \throw as map_reference
+std::string reference_name(const std::string& crs);
+
+//! Do two texts mean the same system?
+bool is_same_reference(const std::string& a, const std::string& b);
+
+//! Does it count in degrees?
+bool is_in_degrees(const std::string& crs);
+
 }  // namespace stratareeb

@@ -118,6 +118,14 @@ class Library {
     const std::vector<ReadableTable>& chosen() const { return chosen_; }
     const std::optional<ReadableTable>& collars() const { return collars_; }
 
+    //! Of the places, where a layer of points has them.
+    std::string crs() const {
+        if (collars_ && !collars_->shape.table->crs.empty()) return collars_->shape.table->crs;
+        for (const ReadableTable& table : chosen_)
+            if (!table.shape.table->crs.empty()) return table.shape.table->crs;
+        return "";
+    }
+
  private:
     std::vector<ReadableTable> open(const std::string& source) {
         std::vector<ReadableTable> result;
@@ -370,6 +378,7 @@ BoreholeTable read_boreholes(const std::vector<std::string>& sources, const Read
     }
     library.open_sources(sources);
     library.check_stated_columns();
+    result.crs = library.crs();
     if (library.collars()) collars = read_collars(library.collars()->shape, context);
     const CollarTable* at = collars ? &*collars : nullptr;
 

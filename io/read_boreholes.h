@@ -46,6 +46,7 @@ struct BoreholeTable {
     Audit audit;  // warnings only: errors throw
     TableLayout layout = TableLayout::Auto;
     TableValues values = TableValues::Auto;
+    std::string crs;  // of the places, as WKT, where a layer of points states one; else empty
 };
 
 //! Read boreholes from tables of one layout: text, spreadsheet, GeoPackage or any other source that OGR

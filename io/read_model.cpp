@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -25,8 +26,9 @@ namespace fs = std::filesystem;
 struct Description {
     std::vector<Unit> units;
     Point3 origin;
-    std::string length_unit;
+    std::string length_unit, crs;
     double spacing = 0;
+    std::size_t fault_blocks = 0;
     std::vector<std::string> horizons;  // paths in the folder, ground first
 };
 
@@ -43,6 +45,9 @@ Description description(const fs::path& file) {
     if (root.need_object("a model")) {
         description.length_unit = needed_text(root, "length_unit");
         description.horizons.push_back(needed_text(root, "ground"));
+        if (const auto blocks = root.find("fault_blocks"))
+            description.fault_blocks = static_cast<std::size_t>(std::max(blocks->number().value_or(0), 0.0));
+        if (const auto crs = root.find("crs")) description.crs = crs->text().value_or("");
         if (const auto spacing = root.find("spacing")) description.spacing = spacing->number().value_or(0);
         if (const auto origin = root.need("origin")) {
             const auto xyz = origin->numbers();
@@ -123,6 +128,12 @@ LayerModel layers_of(const Description& description, const fs::path& folder) {
     model.plan.surface = half_edge_mesh(plan);
     check_order(model, description, folder);
     model.regions = regions_of_thickness(model.plan.surface, model.horizons);
+    if (description.fault_blocks == 0) return model;
+    model.seams = seams_of_pieces(model.plan.surface, model.horizons);
+    if (model.seams.blocks != description.fault_blocks)
+        throw InvalidInput(fmt::format(
+            "{}: {} pieces, but model.json says {} fault blocks; build the model again",
+            (folder / description.horizons[0]).string(), model.seams.blocks, description.fault_blocks));
     return model;
 }
 
@@ -130,7 +141,9 @@ LayerModel layers_of(const Description& description, const fs::path& folder) {
 
 SavedModel read_model(const fs::path& folder) {
     SavedModel saved;
-    saved.model = layers_of(description_in(folder), folder);
+    const Description description = description_in(folder);
+    saved.model = layers_of(description, folder);
+    saved.crs = description.crs;
     LayerModel& model = saved.model;
     if (fs::exists(folder / kModelHolesFile)) {
         ModelHoles holes =

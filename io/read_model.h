@@ -15,6 +15,10 @@ struct SavedModel {
     LayerModel model;
     //! The boreholes it was made from, in map coordinates; none in folders written before they were kept.
     Survey survey;
+    std::string crs = {};  // of map coordinates, "EPSG:27700" or WKT; empty if not known
+
+    //! What was asked for, else the model's own.
+    const std::string& crs_or(const std::string& asked) const { return asked.empty() ? crs : asked; }
 };
 
 //! Read a folder that `build` wrote: model.json, the horizons, and boreholes.json.

@@ -106,6 +106,15 @@ std::vector<std::string> layer_columns(OGRLayer& layer, bool has_geometry) {
     return names;
 }
 
+std::string reference_text(OGRLayer& layer) {
+    const OGRSpatialReference* reference = layer.GetSpatialRef();
+    char* text = nullptr;
+    std::string wkt;
+    if (reference != nullptr && reference->exportToWkt(&text) == OGRERR_NONE && text != nullptr) wkt = text;
+    CPLFree(text);
+    return wkt;
+}
+
 bool has_text(const OGRFeature& feature) {
     for (int i = 0; i < feature.GetFieldCount(); ++i)
         if (feature.IsFieldSetAndNotNull(i)) return true;
@@ -117,6 +126,7 @@ TextTable layer_table(const std::string& source, OGRLayer& layer, bool spreadshe
     table.source = source;
     table.sheet = layer.GetName();
     table.has_geometry = !spreadsheet && layer.GetGeomType() != wkbNone;
+    if (table.has_geometry) table.crs = reference_text(layer);
     const auto names = layer_columns(layer, table.has_geometry);
     if (names.size() > kMostColumns)
         throw InvalidInput(

@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "boreholes/errors.h"
@@ -18,6 +20,16 @@ namespace {
 bool stays_inside(const fs::path& relative) {
     return relative.is_relative() && !relative.empty() &&
            std::ranges::none_of(relative, [](const fs::path& part) { return part == ".."; });
+}
+
+//! Folders that hold nothing more go too.
+void remove_with_empty_folders(const fs::path& target, const fs::path& name) {
+    std::error_code error;
+    fs::remove(target / name, error);
+    for (fs::path folder = name.parent_path(); !folder.empty(); folder = folder.parent_path()) {
+        if (!fs::is_directory(target / folder, error) || !fs::is_empty(target / folder, error)) return;
+        fs::remove(target / folder, error);
+    }
 }
 
 }  // namespace
@@ -59,12 +71,28 @@ void StagedFolder::commit(const std::vector<std::string>& stale) {
         return;
     }
     for (const std::string& name : stale)
-        if (stays_inside(name)) fs::remove(target_ / name, error);
+        if (stays_inside(name)) remove_with_empty_folders(target_, name);
     for (const std::string& name : files_) {
         fs::create_directories((target_ / name).parent_path());
         fs::rename(staging_ / name, target_ / name, error);
         if (error) throw IoError((target_ / name).string() + ": can't be replaced: " + error.message());
     }
+}
+
+std::vector<std::string> listed_files(const fs::path& list) {
+    std::vector<std::string> files;
+    std::ifstream stream(list);
+    if (!stream) return files;
+    if (list.extension() != ".json") {
+        for (std::string line; std::getline(stream, line);)
+            if (!line.empty()) files.push_back(line);
+        return files;
+    }
+    const auto json = nlohmann::json::parse(stream, nullptr, false);
+    if (!json.is_object() || !json.contains("files") || !json["files"].is_array()) return files;
+    for (const auto& name : json["files"])
+        if (name.is_string()) files.push_back(name.get<std::string>());
+    return files;
 }
 
 }  // namespace stratareeb

@@ -30,4 +30,8 @@ class StagedFolder {
     std::vector<std::string> files_;
 };
 
+//! The files that an earlier run listed: in `files` of a JSON object (`list` ends in .json), or one a line. Empty if there is no such
+//! list or it can't be read.
+std::vector<std::string> listed_files(const std::filesystem::path& list);
+
 }  // namespace stratareeb

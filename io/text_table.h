@@ -17,6 +17,7 @@ class TextTable {
     std::string sheet;           // of a workbook or database; empty for text files
     bool decimal_comma = false;  // 12,5 is twelve and a half
     bool has_geometry = false;   // columns 0 and 1 are x and y of a point layer, not from the table itself
+    std::string crs;             // of that geometry, as WKT; empty if none is stated
     std::vector<std::string>
         field_names;  // where the source knows its columns by name (databases); else empty
 

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace stratareeb {
@@ -86,6 +84,7 @@ std::string model_json(const LayerModel& model, const Survey& survey, const Mode
               {"plan_vertices", model.plan.surface.n_vertices()},
               {"plan_triangles", model.plan.surface.n_faces()},
               {"ground", "horizons/00_ground.ply"}};
+    if (!record.crs.empty()) json["crs"] = record.crs;
     json["units"] = Json::array();
     for (std::size_t i = 0; i < record.units.size(); ++i)
         json["units"].push_back(unit_json(model, i, record.units[i]));
@@ -102,17 +101,6 @@ std::string model_json(const LayerModel& model, const Survey& survey, const Mode
     json["warnings"] = record.warnings;
     json["files"] = record.files;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-std::vector<std::string> files_of_model(const std::string& folder) {
-    std::ifstream file(std::filesystem::path(folder) / "model.json");
-    if (!file) return {};
-    const Json json = Json::parse(file, nullptr, false);
-    std::vector<std::string> files;
-    if (json.is_object() && json.contains("files") && json["files"].is_array())
-        for (const auto& name : json["files"])
-            if (name.is_string()) files.push_back(name.get<std::string>());
-    return files;
 }
 
 }  // namespace stratareeb

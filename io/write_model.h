@@ -20,6 +20,7 @@ struct ModelRecord {
     std::vector<ModelCheck> checks;
     std::vector<std::string> warnings;                // from the table's audit and the completion
     std::map<std::string, std::string> options;       // as used, by name
+    std::string crs = {};                             // of map coordinates, "EPSG:27700" or WKT; may be empty
     std::vector<std::string> files;                   // all files of the folder, relative
     std::optional<SmoothnessReport> smoothness = {};  // of refined surfaces
     //! By unit, the files of its solids where a model has faults: one a block.
@@ -34,8 +35,5 @@ std::string numbered_name(std::size_t number, const std::string& name);
 
 //! model.json's text: see docs/build.md for its keys.
 std::string model_json(const LayerModel& model, const Survey& survey, const ModelRecord& record);
-
-//! The files that a model.json lists; empty if there is none or it can't be read.
-std::vector<std::string> files_of_model(const std::string& folder);
 
 }  // namespace stratareeb

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/tri_mesh.h"
+
 namespace stratareeb {
 
 //! How the blocks of a faulted model meet. Each block has triangles and vertices of its own in the plan mesh; along a fault
@@ -22,5 +24,9 @@ struct FaultSeams {
 
     bool empty() const { return blocks == 0; }
 };
+
+//! The seams of a plan that is cut open along faults: its connected pieces are the blocks, numbered by their first triangle, and
+//! where boundaries of two of them run through the same places, they meet. `horizons[k][vertex]`: elevations.
+FaultSeams seams_of_pieces(const TriMesh& plan, const std::vector<std::vector<double>>& horizons);
 
 }  // namespace stratareeb

@@ -23,18 +23,10 @@ std::pair<double, double> range_of(const LayerModel& model) {
             *std::ranges::max_element(model.horizons.front())};
 }
 
-//! Do two vertices stand at one place, as along a fault?
-bool is_cut_open(const TriMesh& plan) {
-    std::vector<std::pair<double, double>> places;
-    for (const auto v : plan.vertices()) places.emplace_back(plan.point(v)[0], plan.point(v)[1]);
-    std::ranges::sort(places);
-    return std::ranges::adjacent_find(places) != places.end();
-}
-
 }  // namespace
 
 SlabCutter::SlabCutter(const LayerModel& model, std::vector<double> levels) {
-    if (is_cut_open(model.plan.surface))
+    if (!model.seams.empty())
         throw InvalidInput(
             "slabs of a model with faults can't be made; build it without --faults to split it");
     std::tie(low_, high_) = range_of(model);

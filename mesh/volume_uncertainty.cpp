@@ -6,9 +6,11 @@
 #include <map>
 #include <optional>
 
+#include "boreholes/error_by_gap.h"
 #include "boreholes/hold_out.h"
 #include "boreholes/nearest_sites.h"
 #include "boreholes/student_t.h"
+#include "mesh/matched_draws.h"
 
 namespace stratareeb {
 
@@ -29,7 +31,7 @@ std::optional<double> actual_thickness(const Borehole& hole, std::size_t layer, 
 //! Errors of one layer, or of all, and the holes they were found at, ascending.
 struct Errors {
     std::vector<std::size_t> holes;
-    std::vector<double> values;
+    std::vector<double> values, actual;
 };
 
 std::vector<Errors> errors_of(const Survey& survey, const std::vector<HeldOutHole>& held,
@@ -37,7 +39,7 @@ std::vector<Errors> errors_of(const Survey& survey, const std::vector<HeldOutHol
     const std::size_t layers = survey.units.size();
     std::vector<Errors> result(layers + 1);
     for (const HeldOutHole& out : held) {
-        double sum = 0;
+        double sum = 0, whole = 0;
         bool all = true;
         for (std::size_t i = 0; i < layers; ++i) {
             const auto actual = actual_thickness(survey.holes[out.hole], i, window);
@@ -49,51 +51,118 @@ std::vector<Errors> errors_of(const Survey& survey, const std::vector<HeldOutHol
             if (!actual) continue;
             result[i].holes.push_back(out.hole);
             result[i].values.push_back(predicted - *actual);
+            result[i].actual.push_back(*actual);
             sum += predicted - *actual;
+            whole += *actual;
         }
         if (!all) continue;
         result[layers].holes.push_back(out.hole);
         result[layers].values.push_back(sum);
+        result[layers].actual.push_back(whole);
     }
     return result;
 }
 
+//! A triangle of the plan: the hole nearest to its middle, how far that is, and its area in the window.
+struct Part {
+    std::size_t hole = 0;
+    double gap = 0, window = 0;
+};
+
 //! The parts of the plan and of the window nearest to each of some holes.
 struct Blocks {
     std::vector<double> plan, window;
+    std::vector<Part> parts;
+    double gap = 0;  // of the left-out holes to those that predicted them; a mean by the area they stand for
 };
 
 Blocks blocks_of(const LayerModel& model, const Survey& survey, const std::vector<std::size_t>& holes,
-                 const WindowVolumes& volumes) {
+                 const std::vector<std::size_t>& draw_of, const WindowVolumes& volumes) {
     std::vector<Point2> sites;
-    for (const std::size_t hole : holes) sites.push_back(survey.holes[hole].at);
+    std::vector<std::size_t> draw, asked;
+    for (const std::size_t hole : holes) {
+        asked.push_back(sites.size());
+        sites.push_back(survey.holes[hole].at);
+        draw.push_back(draw_of[hole]);
+    }
     const NearestSites nearest(sites);
-    Blocks blocks{std::vector(sites.size(), 0.0), std::vector(sites.size(), 0.0)};
+    Blocks blocks{std::vector(sites.size(), 0.0), std::vector(sites.size(), 0.0), {}};
     std::vector<NearSite> found;
     for (const auto f : model.plan.surface.faces()) {
         const auto middle = model.plan.surface.calc_face_centroid(f);
         nearest.nearest({middle[0] + model.origin.x, middle[1] + model.origin.y}, 1, found);
+        const double window = volumes.plan_area[static_cast<std::size_t>(f.idx())];
         blocks.plan[found[0].site] += model.plan.surface.calc_face_area(f);
-        blocks.window[found[0].site] += volumes.plan_area[static_cast<std::size_t>(f.idx())];
+        blocks.window[found[0].site] += window;
+        blocks.parts.push_back({found[0].site, std::sqrt(found[0].squared_distance), window});
     }
+    const std::vector<double> gaps = gaps_to_other_draws(sites, draw, asked);
+    double area = 0;
+    for (std::size_t h = 0; h < sites.size(); ++h) {
+        area += blocks.plan[h];
+        blocks.gap += blocks.plan[h] * gaps[h];
+    }
+    blocks.gap /= area;
     return blocks;
 }
 
-VolumeUncertainty uncertainty_of(const std::vector<double>& errors, const Blocks& blocks, double confidence) {
-    double area = 0, sum = 0, squares = 0, window = 0, window_squares = 0;
+//! The window's area by block, each part counted as often as errors there are larger than those of left-out holes: they grow with
+//! the root of the distance (a linear variogram), up to what is not to know anything but the mean.
+std::vector<double> weighed_areas(const Blocks& blocks, double most) {
+    std::vector<double> areas(blocks.window.size(), 0.0);
+    for (const Part& part : blocks.parts) {
+        const double growth = part.gap > blocks.gap ? std::sqrt(part.gap / blocks.gap) : 1;
+        areas[part.hole] += part.window * std::min(growth, most);
+    }
+    return areas;
+}
+
+double deviation(const std::vector<double>& values) {
+    double sum = 0, squares = 0;
+    const auto count = static_cast<double>(values.size());
+    for (const double value : values) sum += value;
+    for (const double value : values) squares += (value - sum / count) * (value - sum / count);
+    return std::sqrt(squares / (count - 1));
+}
+
+VolumeUncertainty uncertainty_of(const Errors& of, const Blocks& blocks, double confidence) {
+    const std::vector<double>& errors = of.values;
+    double area = 0, sum = 0, squares = 0, window = 0;
     for (std::size_t h = 0; h < errors.size(); ++h) {
         area += blocks.plan[h];
         sum += blocks.plan[h] * errors[h];
         squares += blocks.plan[h] * errors[h] * errors[h];
         window += blocks.window[h];
-        window_squares += blocks.window[h] * blocks.window[h];
     }
     VolumeUncertainty result{
         .holes = errors.size(), .rmse = std::sqrt(squares / area), .mean_error = sum / area};
-    result.standard_error = std::hypot(result.mean_error * window, result.rmse * std::sqrt(window_squares));
+    const double most = result.rmse > 0 ? std::max(1.0, deviation(of.actual) / result.rmse) : 1;
+    double weighed_squares = 0;
+    for (const double weighed : weighed_areas(blocks, most)) weighed_squares += weighed * weighed;
+    result.standard_error = std::hypot(result.mean_error * window, result.rmse * std::sqrt(weighed_squares));
     result.half_width = result.standard_error * quantile(MeanLaw::StudentT, 0.5 + confidence / 2,
                                                          static_cast<double>(errors.size() - 1));
     return result;
+}
+
+//! How far the middles of about a thousand equal parts of the window are from their nearest holes.
+std::vector<double> gaps_in(const LayerModel& model, const std::vector<Point2>& sites,
+                            const WindowVolumes& volumes) {
+    constexpr double kParts = 1000;
+    const double part = volumes.area() / kParts;
+    if (!(part > 0)) return {};
+    const NearestSites nearest(sites);
+    std::vector<double> gaps;
+    std::vector<NearSite> found;
+    double sum = part / 2;
+    for (const auto f : model.plan.surface.faces()) {
+        sum += volumes.plan_area[static_cast<std::size_t>(f.idx())];
+        if (!(sum >= part)) continue;
+        const auto middle = model.plan.surface.calc_face_centroid(f);
+        nearest.nearest({middle[0] + model.origin.x, middle[1] + model.origin.y}, 1, found);
+        for (; sum >= part; sum -= part) gaps.push_back(std::sqrt(found[0].squared_distance));
+    }
+    return gaps;
 }
 
 }  // namespace
@@ -104,9 +173,16 @@ std::vector<VolumeUncertainty> volume_uncertainty(const LayerModel& model, const
     std::vector<VolumeUncertainty> result(survey.units.size() + 1);
     if (survey.holes.size() < 4) return result;
     const std::size_t folds = std::min(options.folds, survey.holes.size());
-    const auto draws = without_last_contacts(survey, fold_draws(survey.holes.size(), folds, options.seed));
+    std::vector<Point2> sites;
+    for (const Borehole& hole : survey.holes) sites.push_back(hole.at);
+    const auto draws = without_last_contacts(
+        survey, matched_draws(sites, gaps_in(model, sites, volumes), folds, options.seed));
     const auto held = hold_out(survey, draws, {.prediction = options.prediction});
     const auto errors = errors_of(survey, held, window);
+    std::vector<std::size_t> draw_of(survey.holes.size());
+    for (std::size_t h = 0; h < draw_of.size(); ++h) draw_of[h] = draws.size() + h;  // in none
+    for (std::size_t d = 0; d < draws.size(); ++d)
+        for (const std::size_t h : draws[d]) draw_of[h] = d;
     std::map<std::vector<std::size_t>, Blocks> known;  // layers that the same holes know share theirs
     for (std::size_t i = 0; i < errors.size(); ++i) {
         const auto& holes = errors[i].holes;
@@ -114,8 +190,8 @@ std::vector<VolumeUncertainty> volume_uncertainty(const LayerModel& model, const
         if (holes.size() < 2) continue;
         auto blocks = known.find(holes);
         if (blocks == known.end())
-            blocks = known.emplace(holes, blocks_of(model, survey, holes, volumes)).first;
-        result[i] = uncertainty_of(errors[i].values, blocks->second, options.confidence);
+            blocks = known.emplace(holes, blocks_of(model, survey, holes, draw_of, volumes)).first;
+        result[i] = uncertainty_of(errors[i], blocks->second, options.confidence);
     }
     return result;
 }

@@ -13,7 +13,7 @@ namespace stratareeb {
 
 struct VolumeUncertaintyOptions {
     CompletionOptions prediction;  // as the model was made
-    std::size_t folds = 10;        // of the hold-out; fewer holes: each by itself
+    std::size_t folds = 10;        // of the hold-out, at most; fewer holes: each by itself
     std::uint64_t seed = 1;
     double confidence = 0.95;
 };
@@ -28,12 +28,13 @@ struct VolumeUncertainty {
     double half_width = 0;      // volume ± this
 };
 
-//! For each layer, and last for all of them together, from boreholes left out and predicted by the others. Each hole stands for
-//! the part of the window's plan nearest to it, a_h, and errors of different holes are taken to be independent:
-//! standard error² = (mean error · sum a_h)² + RMSE² · sum a_h², half width = Student's t with holes - 1 degrees of freedom · that.
-//! Crowded holes so count for no more than the area that they cover. On random surveys of known truth, ± 95 % held the true
-//! volume in 95 to 100 % of cases where holes stood evenly at random, in 53 to 84 % where they stood in groups: what is far from all
-//! groups has errors that no left-out hole shows.
+//! For each layer, and last for all of them together, from boreholes left out and predicted by the others (matched_draws: where
+//! they stand in groups, groups together). Each hole stands for the part of the window's plan nearest to it, a_h, and errors of
+//! different holes are taken to be independent:
+//! standard error² = (mean error · sum a_h)² + RMSE² · sum w_h², half width = Student's t with holes - 1 degrees of freedom · that.
+//! Crowded holes so count for no more than the area that they cover. w_h is a_h with places that are farther from their hole than
+//! left-out holes were from theirs (a mean by area) counted by the root of that ratio, as errors grow with distance for a linear
+//! variogram, up to the deviation of the thickness itself. docs/volume.md has the share of true volumes that ± held.
 //! \throw InvalidInput as hold_out does
 std::vector<VolumeUncertainty> volume_uncertainty(const LayerModel& model, const Survey& survey,
                                                   const VolumeWindow& window, const WindowVolumes& volumes,

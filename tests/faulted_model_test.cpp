@@ -47,6 +47,11 @@ double area_of(const Triangle& t) {
 //! Each block's solid is closed and sound; every triangle is that of one or two solids; those of one alone are the outside:
 //! ground, lowest horizon, footprint walls, and fault walls beside nothing. Volumes add up to the envelope.
 void expect_sound_blocks(const LayerModel& model, const Survey& survey) {
+    const FaultSeams again = seams_of_pieces(model.plan.surface, model.horizons);  // as from a file
+    EXPECT_EQ(again.blocks, model.seams.blocks);
+    EXPECT_EQ(again.block, model.seams.block);
+    EXPECT_EQ(again.levels, model.seams.levels);
+    EXPECT_EQ(again.across, model.seams.across);
     std::map<Triangle, int> uses;
     double sum = 0;
     std::vector<UnitSummary> units;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "boreholes/errors.h"
 #include "boreholes/random_survey.h"
@@ -223,6 +224,71 @@ TEST_F(MapCommand, says_what_is_wrong) {
     folder_.file("there.svg", "mine");
     expect_failure("-o there.svg", 1, "--overwrite");
     EXPECT_EQ(content_of(folder_ / "there.svg"), "mine");
+}
+
+std::vector<double> values_of(const fs::path& file) {
+    const Dataset grid(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER), &GDALClose);
+    EXPECT_TRUE(grid) << file;
+    EXPECT_STREQ(grid->GetSpatialRef()->GetAuthorityCode(nullptr), "27700");
+    const int columns = grid->GetRasterXSize(), rows = grid->GetRasterYSize();
+    std::vector<double> values(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+    EXPECT_EQ(grid->GetRasterBand(1)->RasterIO(GF_Read, 0, 0, columns, rows, values.data(), columns, rows,
+                                               GDT_Float64, 0, 0, nullptr),
+              CE_None);
+    return values;
+}
+
+TEST_F(MapCommand, says_how_far_off_it_may_be_in_the_models_own_reference_system) {
+    ASSERT_EQ(run("sample -o wells.csv --holes 40 --seed 3").exit_code, 0);
+    ASSERT_EQ(run("build wells.csv -o wells --quiet --refine 0 --crs EPSG:27700").exit_code, 0);
+    const auto map = [&](const std::string& kind) {
+        const auto result = run("map wells --show thickness --unit 2 --cell 5 --uncertainty " + kind +
+                                " --json -o " + kind + ".tif -o " + kind + ".svg -o " + kind + ".gpkg");
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_EQ(json::parse(result.out)["uncertainty"], kind);
+        return values_of(folder_ / (kind + ".tif"));
+    };
+    const auto deviation = map("deviation"), interval = map("interval");
+    ASSERT_EQ(deviation.size(), interval.size());
+    double wider = 0, cells = 0;
+    for (std::size_t i = 0; i < deviation.size(); ++i) {
+        if (deviation[i] == -9999) continue;
+        ASSERT_GE(deviation[i], 0);
+        wider += interval[i] >= deviation[i];
+        ++cells;
+    }
+    EXPECT_GT(cells, 3000);
+    EXPECT_GT(wider, 0.99 * cells);  // 95 % lie within more than one deviation
+    expect_failure("--uncertainty interval", 2, "--uncertainty");
+    expect_failure("--show thickness --unit Clay --uncertainty interval", 1, "boreholes know it");
+    expect_failure("--show ground --uncertainty doubt", 2, "--uncertainty");
+}
+
+TEST_F(MapCommand, takes_the_reference_system_that_a_layer_of_points_states) {
+    std::string features;
+    for (const auto& [name, x, y] : {std::tuple("A", 0, 0), {"B", 100, 0}, {"C", 100, 100}, {"D", 0, 100}})
+        features += std::string(features.empty() ? "" : ",") + R"({"type":"Feature","properties":{"hole":")" +
+                    name + R"(","ground":10,"Sand":2,"Clay":3},"geometry":{"type":"Point","coordinates":[)" +
+                    std::to_string(x) + "," + std::to_string(y) + "]}}";
+    const auto layer = [&](const std::string& crs) {
+        return R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:)" +
+               crs + R"("}},"features":[)" + features + "]}";
+    };
+    folder_.file("holes.geojson", layer("EPSG::27700"));
+    const auto built = run("build holes.geojson -o own --quiet --refine 0");
+    ASSERT_EQ(built.exit_code, 0) << built.err;
+    EXPECT_EQ(json::parse(content_of(folder_ / "own/model.json"))["crs"], "EPSG:27700");
+    ASSERT_EQ(run("map own --show ground --cell 10 -o ground.tif").exit_code, 0);
+    values_of(folder_ / "ground.tif");
+    ASSERT_EQ(run("build holes.geojson -o other --quiet --refine 0 --crs EPSG:25832").exit_code, 0);
+    EXPECT_EQ(json::parse(content_of(folder_ / "other/model.json"))["crs"], "EPSG:25832");
+    folder_.file("degrees.geojson", layer("OGC:1.3:CRS84"));
+    ASSERT_EQ(run("build degrees.geojson -o degrees --quiet --refine 0").exit_code, 0);
+    EXPECT_NE(content_of(folder_ / "degrees/model.json").find("degrees"), std::string::npos);
+    const auto unknown = run("build holes.geojson -o no --quiet --crs EPSG:nonsense");
+    EXPECT_EQ(unknown.exit_code, 1);
+    EXPECT_NE(unknown.err.find("EPSG:nonsense"), std::string::npos) << unknown.err;
+    EXPECT_FALSE(json::parse(content_of(folder_ / "model/model.json")).contains("crs"));
 }
 
 }  // namespace

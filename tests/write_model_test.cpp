@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/staged_folder.h"
 #include "tests/temporary_folder.h"
 
 namespace stratareeb {
@@ -114,17 +115,17 @@ TEST(WriteModel, names_files_in_letters_that_any_file_system_takes) {
 TEST(WriteModel, lists_the_files_of_an_earlier_model) {
     const TemporaryFolder folder;
     folder.file("model.json", R"({"files": ["model.json", 3, "layers/01_a.ply", null]})");
-    EXPECT_EQ(files_of_model(folder.path().string()),
+    EXPECT_EQ(listed_files(folder.path() / "model.json"),
               (std::vector<std::string>{"model.json", "layers/01_a.ply"}));
 }
 
 TEST(WriteModel, lists_no_files_where_there_is_no_model_or_a_broken_one) {
     const TemporaryFolder folder;
-    EXPECT_TRUE(files_of_model(folder.path().string()).empty());
+    EXPECT_TRUE(listed_files(folder.path() / "model.json").empty());
     for (const char* text :
          {"", "{", "[]", "{\"files\": 3}", "{\"files\": {\"a\": 1}}", "\xff\xfe", "null"}) {
         folder.file("model.json", text);
-        EXPECT_TRUE(files_of_model(folder.path().string()).empty()) << text;
+        EXPECT_TRUE(listed_files(folder.path() / "model.json").empty()) << text;
     }
 }
 

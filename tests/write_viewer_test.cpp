@@ -61,6 +61,20 @@ TEST_F(WriteViewer, page_holds_the_model_and_opens_nothing_else) {
     EXPECT_EQ(page.find("@@"), page.npos);
 }
 
+TEST_F(WriteViewer, keeps_the_surfaces_before_refinement) {
+    const auto before = read_unrefined(model());
+    ASSERT_TRUE(before);
+    const SavedModel saved = read_model(model());
+    EXPECT_EQ(4 * before->plan.surface.n_faces(), saved.model.plan.surface.n_faces());
+    EXPECT_EQ(before->origin, saved.model.origin);
+    const Payload with(view_payload(saved, {"A title", "", {}, &*before}));
+    EXPECT_EQ(with.numbers(with.header["unrefined"]["corner"]).size(), 3 * before->plan.surface.n_faces());
+    EXPECT_TRUE(payload_of(saved).header["unrefined"].is_null());
+    ASSERT_EQ(run_program(folder_, "build holes.csv -o model --quiet --refine 0 --overwrite").exit_code, 0);
+    EXPECT_FALSE(read_unrefined(model()));  // and nothing of it is left
+    EXPECT_FALSE(fs::exists(model() / "unrefined"));
+}
+
 TEST_F(WriteViewer, horizons_come_back_to_a_step_of_the_grid) {
     const SavedModel saved = read_model(model());
     const LayerModel ordered = in_view_order(saved.model);

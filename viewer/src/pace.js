@@ -3,7 +3,7 @@
 
 const kSlow = 40; // milliseconds a frame; 25 frames a second look smooth
 const kVerySlow = 250;
-const kQuick = 10;
+const kQuick = 20; // one frame of a common screen, seen by the next
 const kQuickFrames = 20; // after which more is tried
 const kRestAfter = 200; // milliseconds
 
