@@ -74,7 +74,9 @@ TEST_F(BuildCommand, makes_horizons_layers_and_a_record) {
     EXPECT_EQ(names_of(folder_ / "out"),
               (std::set<std::string>{"boreholes.json", "model.json", "horizons/00_ground.ply",
                                      "horizons/01_Sand.ply", "horizons/02_Clay.ply", "horizons/03_Gravel.ply",
-                                     "layers/01_Sand.ply", "layers/02_Clay.ply", "layers/03_Gravel.ply"}));
+                                     "unrefined/00_ground.ply", "unrefined/01_Sand.ply",
+                                     "unrefined/02_Clay.ply", "unrefined/03_Gravel.ply", "layers/01_Sand.ply",
+                                     "layers/02_Clay.ply", "layers/03_Gravel.ply"}));
     EXPECT_TRUE(says(result.out, "7 boreholes, 3 layers")) << result.out;
     EXPECT_EQ(folder_.size(), 2u) << "nothing beside the table and the model";
 }

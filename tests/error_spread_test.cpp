@@ -44,7 +44,7 @@ const std::vector<PredictedQuantity> kQuantities{{false, 0}, {false, 2}, {true, 
 
 TEST(ErrorSpread, intervals_hold_the_truth_between_the_holes) {
     std::size_t vertices = 0, held = 0;
-    for (std::uint64_t seed = 301; seed <= 306; ++seed) {
+    for (std::uint64_t seed = 301; seed <= 303; ++seed) {
         const Case c = made({.holes = 60, .seed = seed});
         for (const PredictedQuantity& quantity : kQuantities) {
             const ErrorSpread spread = error_spread(c.model, c.survey, quantity, Spread::Interval);
@@ -63,7 +63,7 @@ TEST(ErrorSpread, intervals_hold_the_truth_between_the_holes) {
 
 TEST(ErrorSpread, standard_deviation_is_of_the_size_of_errors) {
     double squares = 0, expected = 0;
-    for (std::uint64_t seed = 401; seed <= 406; ++seed) {
+    for (std::uint64_t seed = 401; seed <= 403; ++seed) {
         const Case c = made({.holes = 60, .seed = seed});
         for (const PredictedQuantity& quantity : kQuantities) {
             const ErrorSpread spread = error_spread(c.model, c.survey, quantity, Spread::Deviation);

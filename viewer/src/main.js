@@ -27,7 +27,10 @@ function keepAddress(app) {
   };
   app.settings.onChange(later);
   app.stage.controls.addEventListener('change', later);
-  addEventListener('hashchange', () => openFragment(app, location.hash));
+  addEventListener('hashchange', (event) => {
+    clearTimeout(timer); // it would write what was before
+    openFragment(app, new URL(event.newURL).hash);
+  });
 }
 
 /** What an address says, as far as this model has it. */

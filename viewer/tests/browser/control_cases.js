@@ -112,9 +112,9 @@ test('an address brings the view back', async () => {
   const other = await openPage(browser, place, { fragment: `#${fragment}` });
   assert.equal(await other.evaluate(() => window.stratareeb.fragment()), fragment);
   await reset();
-  await page.waitForTimeout(600); // until the address has followed
+  await page.waitForFunction(() => location.hash === '', null, { polling: 100 }); // until the address has followed
   await page.evaluate((f) => (location.hash = f), fragment);
-  await page.waitForFunction(() => window.stratareeb.settings.get('cut') === 'azimuth');
+  await page.waitForFunction(() => window.stratareeb.settings.get('cut') === 'azimuth', null, { polling: 100 });
   assert.equal(await other.evaluate(() => window.look.picture()), await picture());
   await other.context().close();
 });
