@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -27,12 +28,15 @@
 #include "io/step_document.h"
 #include "io/write_aside.h"
 #include "io/write_brep.h"
+#include "io/write_choice.h"
 #include "io/write_mesh.h"
 #include "io/write_meshlab_project.h"
 #include "io/write_model.h"
 #include "io/write_picture.h"
+#include "io/write_table.h"
 #include "io/write_viewer.h"
 #include "mesh/decimate_layers.h"
+#include "mesh/fault_blocks.h"
 #include "mesh/faulted_model.h"
 #include "subdivision/refined_layers.h"
 
@@ -71,6 +75,8 @@ class Build {
         unrefined_.reset();
         ModelRecord record{
             .units = {}, .checks = {}, .warnings = {}, .options = arguments_.record(), .files = {}};
+        record.choice = choice_;
+        if (choice_) write_table(folder.add("auto.csv"), choice_table(*choice_));
         LayerModel model = model_of(table.survey, levels, record);
         record.crs = crs_of(table);
         record.warnings = warnings_of(table, model);
@@ -119,10 +125,27 @@ class Build {
             return;
         }
         progress_.step("choosing the interpolator", 0);
-        const InterpolatorChoice choice =
-            choose_interpolator(survey, {.pinch_out = pinch_out_rule(arguments_.pinch_out)});
-        interpolator_ = choice.kind;
-        notes_.push_back(choice.reason);
+        ChooseOptions options{.pinch_out = pinch_out_rule(arguments_.pinch_out),
+                              .terrain = terrain(),
+                              .rules = arguments_.rules.of(survey.units),
+                              .block = blocks_between_faults(survey),
+                              .bare = arguments_.spacing == "none",
+                              .progress = [this](double share) {
+                                  progress_.step("choosing the interpolator", share * kReadEnd);
+                              }};
+        choice_ = choose_interpolator(survey, options);
+        interpolator_ = choice_->kind;
+        notes_.push_back(choice_->reason);
+    }
+
+    std::vector<std::uint32_t> blocks_between_faults(const Survey& survey) const {
+        if (arguments_.faults.empty()) return {};
+        return fault_blocks_of(survey, read_faults(arguments_.faults), footprint(survey)).block_of;
+    }
+
+    std::function<std::optional<double>(const Point2&)> terrain() const {
+        if (!terrain_) return {};
+        return [this](const Point2& p) { return terrain_->sample(p.x, p.y); };
     }
 
     int levels_for(std::size_t holes) {
@@ -211,7 +234,7 @@ class Build {
         else if (arguments_.spacing != "auto")
             options.spacing = std::stod(arguments_.spacing);
         options.footprint = footprint(survey);
-        if (terrain_) options.terrain = [this](const Point2& p) { return terrain_->sample(p.x, p.y); };
+        options.terrain = terrain();
         options.progress = [this](const char* step, double share) {
             progress_.step(step, kReadEnd + share * (kModelEnd - kReadEnd));
         };
@@ -420,7 +443,8 @@ class Build {
     std::optional<LayerModel> unrefined_;  // what refinement began with, without faults
     std::optional<Raster> terrain_;
     InterpolatorKind interpolator_ = kDefaultInterpolator;
-    std::vector<std::string> notes_;  // for people, beside those of the table and the model
+    std::optional<InterpolatorChoice> choice_;  // by `auto`
+    std::vector<std::string> notes_;            // for people, beside those of the table and the model
 };
 
 }  // namespace

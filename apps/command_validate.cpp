@@ -20,6 +20,7 @@
 #include "boreholes/choose_interpolator.h"
 #include "boreholes/errors.h"
 #include "boreholes/validation.h"
+#include "io/read_faults.h"
 #include "io/read_raster.h"
 #include "io/read_true_volumes.h"
 #include "io/staged_folder.h"
@@ -29,6 +30,7 @@
 #include "io/write_residual_drawing.h"
 #include "io/write_table.h"
 #include "io/write_validation.h"
+#include "mesh/fault_blocks.h"
 
 namespace stratareeb {
 namespace {
@@ -36,7 +38,7 @@ namespace {
 struct ValidateArguments {
     TableArguments table;
     RuleArguments rules;
-    std::string output, ground, pinch_out = "half", truth, plots = "svg";
+    std::string output, ground, faults, pinch_out = "half", truth, plots = "svg";
     std::vector<std::string> interpolators{std::string(name_of(kDefaultInterpolator))};
     std::size_t folds = 10, at_a_time = 0, suggestions = 5;
     double share = 30, confidence = 95;
@@ -66,6 +68,7 @@ class Validate {
 
         progress_.step("reading boreholes", 0);
         const BoreholeTable table = read(arguments_.table.tables);
+        block_ = blocks_of(table.survey);
         const std::vector<Draw> draws = draws_of(table.survey.holes.size());
         std::vector<NamedValidation> validations;
         for (const InterpolatorKind kind : kinds_for(table.survey))
@@ -101,6 +104,8 @@ class Validate {
         ChooseOptions options{
             .pinch_out = pinch_out_rule(arguments_.pinch_out),
             .terrain = terrain(),
+            .rules = arguments_.rules.of(survey.units),
+            .block = block_,
             .bare = arguments_.bare,
             .progress = [this](double share) { progress_.step("choosing the interpolator", share); }};
         choice_ = choose_interpolator(survey, options);
@@ -110,6 +115,14 @@ class Validate {
     std::function<std::optional<double>(const Point2&)> terrain() const {
         if (!terrain_) return {};
         return [this](const Point2& p) { return terrain_->sample(p.x, p.y); };
+    }
+
+    //! By hole, as `build` parts the holes' hull.
+    std::vector<std::uint32_t> blocks_of(const Survey& survey) {
+        if (arguments_.faults.empty()) return {};
+        FaultBlocks blocks = fault_blocks_of(survey, read_faults(arguments_.faults));
+        notes_ = std::move(blocks.notes);
+        return std::move(blocks.block_of);
     }
 
     BoreholeTable read(const std::vector<std::string>& tables) const {
@@ -140,6 +153,7 @@ class Validate {
         options.hold_out.prediction.rules = arguments_.rules.of(survey.units);
         options.hold_out.prediction.terrain = terrain();
         options.hold_out.bare = arguments_.bare;
+        options.hold_out.block = block_;
         options.hold_out.progress = [this, kind](double share) {
             progress_.step(fmt::format("predicting by {}", name_of(kind)), share);
         };
@@ -156,6 +170,7 @@ class Validate {
                                 .law = arguments_.law == MeanLaw::Normal ? "normal" : "t"};
         for (const Finding& finding : table.audit.findings())
             record.warnings.push_back(finding_line(finding));
+        record.warnings.insert(record.warnings.end(), notes_.begin(), notes_.end());
         const auto few = [](const ItemValidation& item) { return item.errors.count > 0 && !item.certain; };
         const Validation& first = validations.front().result;
         if (std::ranges::any_of(first.layers, few) || std::ranges::any_of(first.horizons, few))
@@ -268,6 +283,7 @@ class Validate {
             LayerModelOptions options;
             options.interpolator = kinds_for(table.survey).front();
             options.pinch_out = pinch_out_rule(arguments_.pinch_out);
+            options.rules = arguments_.rules.of(table.survey.units);
             if (arguments_.bare) options.spacing = 0;
             options.terrain = terrain();
             models.push_back(
@@ -307,6 +323,8 @@ class Validate {
     Progress progress_;
     std::optional<Raster> terrain_;
     std::optional<InterpolatorChoice> choice_;  // by `auto`
+    std::vector<std::uint32_t> block_;          // between faults, by hole; empty = no faults
+    std::vector<std::string> notes_;
 };
 
 void add_hold_out_options(CLI::App& command, ValidateArguments& arguments) {
@@ -354,6 +372,8 @@ void add_model_options(CLI::App& command, ValidateArguments& arguments) {
                      "Predict on the bare triangulation of the holes, as with --spacing none");
     command.add_option("--ground", arguments.ground,
                        "Elevation raster of the ground (GeoTIFF, ESRI ASCII, …)");
+    command.add_option("--faults", arguments.faults,
+                       "Lines of vertical faults in plan; no hole is predicted from across one");
 }
 
 }  // namespace
@@ -366,9 +386,12 @@ void add_validate_command(CLI::App& program) {
     add_rule_options(*command, arguments->rules);
     add_hold_out_options(*command, *arguments);
     add_model_options(*command, *arguments);
-    command->add_option(
-        "--truth", arguments->truth,
-        "True volumes, as sample writes them: build a model of each TABLE and compare its volumes instead");
+    command
+        ->add_option(
+            "--truth", arguments->truth,
+            "True volumes, as sample writes them: build a model of each TABLE and compare its volumes "
+            "instead")
+        ->excludes("--faults");
     command->add_option("--suggest", arguments->suggestions, "How many places for further boreholes to name")
         ->check(CLI::Range(0, 10'000))
         ->capture_default_str();

@@ -20,8 +20,8 @@ namespace {
 
 constexpr std::size_t kFewestHoles = 5;
 
-//! Of holes at one place, the first is kept.
-Survey with_single_places(const Survey& survey) {
+//! Numbers of holes, of those at one place the first.
+std::vector<std::size_t> single_places(const Survey& survey) {
     const auto& holes = survey.holes;
     std::vector<std::size_t> order(holes.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -30,8 +30,20 @@ Survey with_single_places(const Survey& survey) {
         order, {}, [&](std::size_t h) { return std::pair(holes[h].at.x, holes[h].at.y); });
     order.erase(repeated.begin(), repeated.end());
     std::ranges::sort(order);
+    return order;
+}
+
+Survey part_of(const Survey& survey, const std::vector<std::size_t>& holes) {
     Survey result{survey.units, {}, survey.contact_points, survey.length_unit};
-    for (const std::size_t h : order) result.holes.push_back(holes[h]);
+    for (const std::size_t h : holes) result.holes.push_back(survey.holes[h]);
+    return result;
+}
+
+std::vector<std::uint32_t> part_of(const std::vector<std::uint32_t>& block,
+                                   const std::vector<std::size_t>& holes) {
+    std::vector<std::uint32_t> result;
+    for (const std::size_t h : holes)
+        if (!block.empty()) result.push_back(block[h]);
     return result;
 }
 
@@ -79,10 +91,13 @@ std::vector<std::vector<HeldOutHole>> held_out(const Survey& survey, const std::
                                                const ChooseOptions& options) {
     std::vector<std::vector<HeldOutHole>> result;
     for (const InterpolatorKind kind : options.candidates) {
-        HoldOutOptions hold{.prediction = {}, .bare = options.bare, .progress = {}};
+        HoldOutOptions hold;
+        hold.bare = options.bare;
         hold.prediction.interpolator = kind;
         hold.prediction.pinch_out = options.pinch_out;
         hold.prediction.terrain = options.terrain;
+        hold.prediction.rules = options.rules;
+        hold.block = options.block;
         const auto done = static_cast<double>(result.size());
         if (options.progress)
             hold.progress = [&options, done](double share) {
@@ -94,7 +109,8 @@ std::vector<std::vector<HeldOutHole>> held_out(const Survey& survey, const std::
 }
 
 void score(InterpolatorChoice& choice, const Survey& survey, const ChooseOptions& options) {
-    const std::vector<Draw> draws = without_last_contacts(survey, draws_of(survey.holes.size(), options));
+    const std::vector<Draw> draws = without_whole_blocks(
+        options.block, without_last_contacts(survey, draws_of(survey.holes.size(), options)));
     const auto held = held_out(survey, draws, options);
     for (const Quantity& q : quantities_of(survey)) {
         if (errors_of(survey, held[0], q).size() < kFewestHoles) continue;
@@ -142,10 +158,13 @@ InterpolatorChoice choose_interpolator(const Survey& survey, const ChooseOptions
     if (options.folds < 2) throw InvalidInput("cross-validation needs at least two folds");
     InterpolatorChoice choice{options.candidates.front(), {}, {}, {}, {}};
     for (const InterpolatorKind kind : options.candidates) choice.scores.push_back({kind, {}, 1});
-    const Survey single = with_single_places(survey);
+    const std::vector<std::size_t> holes = single_places(survey);
+    const Survey single = part_of(survey, holes);
+    ChooseOptions of_single = options;
+    of_single.block = part_of(options.block, holes);
     if (single.holes.size() >= kFewestHoles) {
         try {
-            score(choice, single, options);
+            score(choice, single, of_single);
         } catch (const InvalidInput&) {
             // The rest of some draw says too little; whether all holes say enough is for the caller to find.
             choice.quantities.clear(), choice.held_out.clear();

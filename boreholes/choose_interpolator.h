@@ -9,6 +9,7 @@
 
 #include "boreholes/borehole.h"
 #include "boreholes/interpolator.h"
+#include "boreholes/layer_rules.h"
 #include "boreholes/pinch_out.h"
 
 namespace stratareeb {
@@ -25,6 +26,8 @@ struct ChooseOptions {
     //! As the model will be built.
     PinchOutRule pinch_out;
     std::function<std::optional<double>(const Point2&)> terrain = {};
+    LayerRules rules = {};
+    std::vector<std::uint32_t> block = {};  // by hole, see HoldOutOptions
     bool bare = false;
     //! Called with the share done, from one thread at a time, but from different ones.
     std::function<void(double share)> progress = {};

@@ -11,6 +11,8 @@ namespace stratareeb {
 
 namespace {
 
+constexpr double kInForce = 1e-9;  // of a bound: a prediction that is so little above it stands on it
+
 //! Some sites with a value each.
 struct Sample {
     std::vector<Point2> at;
@@ -34,6 +36,25 @@ std::vector<double> predicted_thicknesses(const Sample& known, std::span<const P
     const ThicknessField field(holes, {known.value}, options.pinch_out,
                                make_interpolator(options.interpolator, holes));
     return field.predict(where)[0];
+}
+
+//! At places with bounds, by a method that meets them: the thickness, which is the bound where it is in force. Near holes that
+//! lack the layer it is the less, as beside any pinch-out.
+std::vector<double> thicknesses_above(const Sample& known, const Sample& bounds,
+                                      const CompletionOptions& options) {
+    Sample all = known;
+    std::vector<char> use, at_least(known.at.size(), 0);
+    for (std::size_t b = 0; b < bounds.at.size(); ++b) all.add(bounds.at[b], bounds.value[b]);
+    at_least.resize(all.at.size(), 1);
+    for (const double t : all.value) use.push_back(static_cast<char>(t > 0));
+    const auto interpolator =
+        make_interpolator(options.interpolator, std::make_shared<HoleTriangulation>(all.at));
+    auto result = interpolator->predict(bounds.at, std::vector<SiteField>{{all.value, use, at_least}})[0];
+    const auto holes = std::make_shared<HoleTriangulation>(known.at);
+    const ThicknessField without_bounds(holes, {known.value}, options.pinch_out, nullptr);
+    const auto locations = holes->locate(bounds.at);
+    for (std::size_t b = 0; b < result.size(); ++b) result[b] *= without_bounds.taper(0, locations[b]);
+    return result;
 }
 
 class Completion {
@@ -104,6 +125,7 @@ class Completion {
     std::vector<double> complete_layer(std::size_t i) {
         const auto fact = [&](std::size_t h) { return survey_.holes[h].layers[i]; };
         std::vector<double> thickness(survey_.holes.size(), 0.0);
+        columns_.known.emplace_back(thickness.size(), static_cast<char>(1));
         Sample known;
         std::vector<std::size_t> at_least, unknown;
         for (std::size_t h = 0; h < thickness.size(); ++h) {
@@ -117,6 +139,7 @@ class Completion {
                     break;
                 case Knowledge::Unknown:
                     unknown.push_back(h);
+                    columns_.known[i][h] = 0;
                     break;
             }
         }
@@ -127,7 +150,7 @@ class Completion {
                                      "': no hole drills through it; its base is where the holes end");
             for (const std::size_t h : at_least) known.add(columns_.sites[h], thickness[h]);
         } else {
-            raise_to_prediction(at_least, known, thickness);
+            raise_to_prediction(i, at_least, known, thickness);
         }
         if (known.at.empty()) {
             columns_.notes.push_back("layer '" + survey_.units[i].code + "': no hole knows it; left out");
@@ -137,16 +160,22 @@ class Completion {
         return thickness;
     }
 
-    void raise_to_prediction(const std::vector<std::size_t>& at_least, Sample& known,
+    void raise_to_prediction(std::size_t i, const std::vector<std::size_t>& at_least, Sample& known,
                              std::vector<double>& thickness) {
         if (at_least.empty()) return;
-        const auto predicted = predicted_thicknesses(known, places(at_least), options_);
+        Sample bounds;
+        for (const std::size_t h : at_least) bounds.add(columns_.sites[h], thickness[h]);
+        const auto predicted = takes_bounds(options_.interpolator)
+                                   ? thicknesses_above(known, bounds, options_)
+                                   : predicted_thicknesses(known, bounds.at, options_);
         for (std::size_t m = 0; m < at_least.size(); ++m) {
             const std::size_t h = at_least[m];
-            if (predicted[m] > thickness[h])
+            if (predicted[m] > thickness[h] * (1 + kInForce)) {
                 thickness[h] = predicted[m];
-            else
+                columns_.known[i][h] = 0;
+            } else {
                 known.add(columns_.sites[h], thickness[h]);
+            }
         }
     }
 
@@ -192,8 +221,10 @@ class Completion {
         if (!first_free) return;
         gap = std::max(gap, 0.0);
         for (std::size_t i = first; i < last; ++i)
-            if (facts[i].knowledge != Knowledge::Measured)
+            if (facts[i].knowledge != Knowledge::Measured) {
                 columns_.thickness[i][h] *= free_sum > 0 ? gap / free_sum : 0.0;
+                columns_.known[i][h] = 1;
+            }
         if (free_sum <= 0) columns_.thickness[*first_free][h] = gap;
     }
 

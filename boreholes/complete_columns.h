@@ -18,7 +18,10 @@ struct CompleteColumns {
     std::vector<Point2> sites;                   // the survey's holes, in order
     std::vector<double> ground;                  // elevation, per site
     std::vector<std::vector<double>> thickness;  // [layer][site], >= 0; 0 = absent
-    std::vector<std::string> notes;              // what had to be assumed, for people
+    //! [layer][site]: the thickness there is found or follows from what is, or is a bound above what the others predict; 0 = it is
+    //! predicted itself. Empty: all are.
+    std::vector<std::vector<char>> known;
+    std::vector<std::string> notes;  // what had to be assumed, for people
 };
 
 struct CompletionOptions {

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <exception>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <thread>
 
+#include "boreholes/block_survey.h"
 #include "boreholes/errors.h"
 #include "boreholes/predict_columns.h"
 
@@ -16,27 +18,30 @@ namespace stratareeb {
 
 namespace {
 
-Survey without(const Survey& survey, const Draw& draw) {
+struct Rest {
+    Survey survey;
+    std::vector<std::size_t> hole;  // numbers in the whole survey
+};
+
+Rest without(const Survey& survey, const Draw& draw) {
     std::vector<char> out(survey.holes.size(), 0);
     for (const std::size_t h : draw) out.at(h) = 1;
-    Survey rest;
-    rest.units = survey.units;
-    rest.contact_points = survey.contact_points;
-    rest.length_unit = survey.length_unit;
+    Rest rest{{survey.units, {}, survey.contact_points, survey.length_unit}, {}};
     for (std::size_t h = 0; h < survey.holes.size(); ++h)
-        if (!out[h]) rest.holes.push_back(survey.holes[h]);
+        if (!out[h]) rest.survey.holes.push_back(survey.holes[h]), rest.hole.push_back(h);
     return rest;
 }
 
-std::vector<HeldOutHole> predicted(const Survey& survey, const Draw& draw, const HoldOutOptions& options) {
-    const Survey rest = without(survey, draw);
-    const ColumnPredictor predictor(rest, options.prediction, options.bare);
+//! Holes with these numbers, in survey coordinates, from others.
+std::vector<HeldOutHole> predicted_from(const Survey& known, const Survey& survey, const Draw& holes,
+                                        const HoldOutOptions& options) {
+    const ColumnPredictor predictor(known, options.prediction, options.bare);
     std::vector<Point2> where;
-    for (const std::size_t h : draw) where.push_back(survey.holes[h].at);
+    for (const std::size_t h : holes) where.push_back(survey.holes[h].at);
     const PredictedColumns columns = predictor.at(where);
-    std::vector<HeldOutHole> result(draw.size());
-    for (std::size_t d = 0; d < draw.size(); ++d) {
-        result[d].hole = draw[d];
+    std::vector<HeldOutHole> result(holes.size());
+    for (std::size_t d = 0; d < holes.size(); ++d) {
+        result[d].hole = holes[d];
         result[d].inside = columns.inside[d];
         result[d].horizons.push_back(columns.ground[d]);
         for (const auto& layer : columns.thickness) {
@@ -44,6 +49,25 @@ std::vector<HeldOutHole> predicted(const Survey& survey, const Draw& draw, const
             result[d].horizons.push_back(result[d].horizons.back() - layer[d]);
         }
     }
+    return result;
+}
+
+std::vector<HeldOutHole> predicted(const Survey& survey, const Draw& draw, const HoldOutOptions& options) {
+    const Rest rest = without(survey, draw);
+    if (options.block.empty()) return predicted_from(rest.survey, survey, draw, options);
+    std::map<std::uint32_t, Draw> asked;
+    for (const std::size_t h : draw) asked[options.block.at(h)].push_back(h);
+    std::vector<HeldOutHole> result;
+    for (const auto& [block, holes] : asked) {
+        std::vector<std::uint32_t> own;
+        for (std::uint32_t i = 0; i < rest.hole.size(); ++i)
+            if (options.block[rest.hole[i]] == block) own.push_back(i);
+        std::vector<std::string> notes;
+        const Survey known = survey_of_block(rest.survey, own, notes);
+        std::ranges::move(predicted_from(known, survey, holes, options), std::back_inserter(result));
+    }
+    std::ranges::sort(result, {},
+                      [&](const HeldOutHole& h) { return std::ranges::find(draw, h.hole) - draw.begin(); });
     return result;
 }
 
@@ -128,6 +152,19 @@ std::vector<Draw> without_last_contacts(const Survey& survey, std::vector<Draw> 
             if (!needed) for_each_known(hole, [&](std::size_t k) { --left[k]; });
             return needed;
         });
+    }
+    std::erase_if(draws, [](const Draw& draw) { return draw.empty(); });
+    return draws;
+}
+
+std::vector<Draw> without_whole_blocks(std::span<const std::uint32_t> block, std::vector<Draw> draws) {
+    std::map<std::uint32_t, std::size_t> holes_of;
+    for (const std::uint32_t b : block) ++holes_of[b];
+    for (Draw& draw : draws) {
+        std::map<std::uint32_t, std::size_t> left = holes_of;
+        if (block.empty()) break;
+        for (const std::size_t h : draw) --left[block[h]];
+        std::erase_if(draw, [&](std::size_t h) { return left[block[h]] == 0 && ++left[block[h]] == 1; });
     }
     std::erase_if(draws, [](const Draw& draw) { return draw.empty(); });
     return draws;

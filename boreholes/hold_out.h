@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
@@ -15,6 +16,8 @@ namespace stratareeb {
 struct HoldOutOptions {
     CompletionOptions prediction;
     bool bare = false;  // see ColumnPredictor
+    //! Block between faults, by hole: a hole is predicted from its own block's holes alone (block_survey.h). Empty = no faults.
+    std::vector<std::uint32_t> block;
     //! Called with the share of draws done, from one thread at a time, but from different ones.
     std::function<void(double share)> progress;
 };
@@ -36,6 +39,9 @@ std::vector<HeldOutHole> hold_out(const Survey& survey, const std::vector<Draw>&
 //! Draws of contact points without those that are the last to know a horizon: without them it could not be predicted at all.
 //! Other surveys' draws are returned as they are; draws that end up empty are left out.
 std::vector<Draw> without_last_contacts(const Survey& survey, std::vector<Draw> draws);
+
+//! Draws without the first hole of each block that they would leave without a hole; see HoldOutOptions::block.
+std::vector<Draw> without_whole_blocks(std::span<const std::uint32_t> block, std::vector<Draw> draws);
 
 //! An actual number of a hole beside what was predicted for it.
 struct Residual {

@@ -37,6 +37,18 @@ std::vector<FieldPrediction> Interpolator::predict_with_deviation(std::span<cons
     return result;
 }
 
+bool takes_bounds(InterpolatorKind kind) {
+    switch (kind) {
+        case InterpolatorKind::Spline:
+        case InterpolatorKind::Kriging:
+        case InterpolatorKind::KrigingLinear:
+        case InterpolatorKind::KrigingQuadratic:
+            return true;
+        default:
+            return false;
+    }
+}
+
 std::span<const InterpolatorKind> interpolator_kinds() {
     return kKinds;
 }

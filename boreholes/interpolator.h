@@ -108,6 +108,9 @@ inline constexpr InterpolatorKind kDefaultInterpolator = InterpolatorKind::Krigi
 //! \throw InvalidInput for any other name.
 InterpolatorKind interpolator_kind(std::string_view name);
 std::string_view name_of(InterpolatorKind kind);
+//! Splines and kriging: "at least" values are met as such, and the surface through values that it predicted itself is the same as
+//! without them, so that predictions need not be taken for data.
+bool takes_bounds(InterpolatorKind kind);
 //! All kinds, in the order of the enumeration.
 std::span<const InterpolatorKind> interpolator_kinds();
 //! Their names, as "linear, natural, … or kriging-quadratic".

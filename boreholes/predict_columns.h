@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "boreholes/borehole.h"
+#include "boreholes/column_field.h"
 #include "boreholes/complete_columns.h"
-#include "boreholes/rule_columns.h"
-#include "boreholes/thickness_field.h"
 
 namespace stratareeb {
 
@@ -35,20 +33,14 @@ class ColumnPredictor {
     //! Places in survey coordinates.
     PredictedColumns at(std::span<const Point2> where) const;
 
-    const std::vector<std::string>& notes() const { return columns_.notes; }
+    const std::vector<std::string>& notes() const { return field_.columns().notes; }
 
  private:
     std::vector<std::vector<double>> ruled(std::span<const Point2> local,
                                            std::span<const double> ground) const;
-    std::vector<double> ground(std::span<const Point2> local) const;
-    std::optional<double> terrain(const Point2& local) const;
 
-    Point2 origin_;  // coordinates are predicted in relative to it, for their last digits' sake
-    CompletionOptions options_;
-    CompleteColumns columns_;  // relative to origin_
-    RuleColumns rules_;        // empty without rules
-    std::shared_ptr<const HoleTriangulation> holes_, sites_;
-    std::unique_ptr<ThicknessField> field_;
+    LayerRules rules_;
+    ColumnField field_;  // counted from the first hole, for the last digits' sake
 };
 
 }  // namespace stratareeb

@@ -16,6 +16,8 @@ namespace {
 // Beyond the hull the surface goes on so far, in diagonals of the sites' box; from there on outward it is level. Ten-fold
 // hold-outs of real surveys, whose outer holes are beyond the hull of the rest, favour going on over stopping at the hull.
 constexpr double kReach = 0.25;
+constexpr double kTogether =
+    0.5;  // of the sites that know a layer, the share that must know its neighbour too
 
 //! The value that all sites have, or null. A bound below it says nothing.
 const double* only_value(const FieldSites& sites) {
@@ -37,14 +39,23 @@ FieldSites with_bounds_as_values(FieldSites sites) {
     return sites;
 }
 
+bool has_say(const SiteField& field, std::size_t site) {
+    return field.use.empty() || field.use[site];
+}
+
+//! Layers whose depths are worth a prediction of their own: most sites that know one of them know both.
 bool go_together(const SiteField& a, const SiteField& b) {
-    return a.at_least.empty() && b.at_least.empty() && std::ranges::equal(a.use, b.use);
+    if (!a.at_least.empty() || !b.at_least.empty()) return false;
+    double both = 0, of_a = 0, of_b = 0;
+    for (std::size_t s = 0; s < a.value.size(); ++s)
+        both += has_say(a, s) && has_say(b, s), of_a += has_say(a, s), of_b += has_say(b, s);
+    return both >= kTogether * std::max(of_a, of_b);
 }
 
 ValueLimits limits_of(const SiteField& field) {
     std::vector<double> known;
     for (std::size_t s = 0; s < field.value.size(); ++s)
-        if (field.use.empty() || field.use[s]) known.push_back(field.value[s]);
+        if (has_say(field, s)) known.push_back(field.value[s]);
     return value_limits(known);
 }
 
@@ -96,21 +107,23 @@ std::vector<std::vector<double>> RadialInterpolator::predict(std::span<const Poi
     return result;
 }
 
-//! Neighbouring layers that are known at the same sites.
+//! Neighbouring layers that are known at much the same sites. A depth is known where all layers down to it are.
 void RadialInterpolator::predict_run(std::span<const Point2> where, std::span<const SiteField> thickness,
                                      std::vector<std::vector<double>>& result) const {
     const Extras extras{.error = thickness.size() > 1};
     std::vector<RatedPrediction> layers, depths;
     std::vector<double> depth(holes_->sites().size(), 0.0);
+    std::vector<char> all(depth.size(), 1);
     for (const SiteField& field : thickness) {
         RatedField layer = predict_field(where, field, extras);
         layers.push_back({std::move(layer.prediction.value), layer.error});
-        for (std::size_t s = 0; s < depth.size(); ++s) depth[s] += field.value[s];
+        for (std::size_t s = 0; s < depth.size(); ++s)
+            depth[s] += field.value[s], all[s] = static_cast<char>(all[s] && has_say(field, s));
         if (layers.size() == 1) {
             depths.emplace_back();
             continue;
         }
-        RatedField sum = predict_field(where, {depth, field.use}, extras);
+        RatedField sum = predict_field(where, {depth, all}, extras);
         depths.push_back({std::move(sum.prediction.value), sum.error});
     }
     for (std::size_t i = 0; auto& values : reconcile_layers(layers, depths)) {

@@ -7,7 +7,8 @@ namespace stratareeb {
 
 ThicknessField::ThicknessField(std::shared_ptr<const HoleTriangulation> holes,
                                std::vector<std::vector<double>> thickness, PinchOutRule rule,
-                               std::unique_ptr<Interpolator> interpolator)
+                               std::unique_ptr<Interpolator> interpolator,
+                               const std::vector<std::vector<char>>& known)
     : holes_(std::move(holes)),
       thickness_(std::move(thickness)),
       rule_(rule),
@@ -15,6 +16,10 @@ ThicknessField::ThicknessField(std::shared_ptr<const HoleTriangulation> holes,
     for (const auto& layer : thickness_) {
         auto& present = present_.emplace_back(layer.size());
         std::ranges::transform(layer, present.begin(), [](double t) { return static_cast<char>(t > 0); });
+        auto& say = has_say_.emplace_back(present);
+        if (!known.empty())
+            std::ranges::transform(present, known[has_say_.size() - 1], say.begin(),
+                                   [](char there, char sure) { return static_cast<char>(there && sure); });
     }
 }
 
@@ -48,7 +53,7 @@ double ThicknessField::mean_of_present(std::size_t layer, const PlanLocation& lo
 
 std::vector<std::vector<double>> ThicknessField::predict(std::span<const Point2> where) const {
     std::vector<SiteField> fields;
-    for (std::size_t i = 0; i < layers(); ++i) fields.push_back({thickness_[i], present_[i]});
+    for (std::size_t i = 0; i < layers(); ++i) fields.push_back({thickness_[i], has_say_[i]});
     auto result = interpolator_->predict_layers(where, fields);
     const std::vector<PlanLocation> locations = holes_->locate(where);
     for (std::size_t i = 0; i < layers(); ++i)

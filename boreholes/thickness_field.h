@@ -22,9 +22,11 @@ namespace stratareeb {
 class ThicknessField {
  public:
     //! `thickness[layer][site]`, >= 0; 0 = absent. `holes` is the triangulation of the shares; the
-    //! interpolator may stand on another one of the same sites.
+    //! interpolator may stand on another one of the same sites. `known[layer][site]`: sites where it is 0 tell whether the layer is
+    //! there, but have no say in how thick it is elsewhere; empty = all have.
     ThicknessField(std::shared_ptr<const HoleTriangulation> holes, std::vector<std::vector<double>> thickness,
-                   PinchOutRule rule, std::unique_ptr<Interpolator> interpolator);
+                   PinchOutRule rule, std::unique_ptr<Interpolator> interpolator,
+                   const std::vector<std::vector<char>>& known = {});
 
     std::size_t layers() const { return thickness_.size(); }
     const HoleTriangulation& holes() const { return *holes_; }
@@ -46,7 +48,7 @@ class ThicknessField {
 
     std::shared_ptr<const HoleTriangulation> holes_;
     std::vector<std::vector<double>> thickness_;
-    std::vector<std::vector<char>> present_;
+    std::vector<std::vector<char>> present_, has_say_;
     PinchOutRule rule_;
     std::unique_ptr<Interpolator> interpolator_;
 };

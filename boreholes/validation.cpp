@@ -157,7 +157,7 @@ void suggest(Validation& result, const Survey& survey, const LocalErrors& errors
 
 Validation validate(const Survey& survey, const std::vector<Draw>& draws, const ValidationOptions& options) {
     Validation result;
-    result.draws = without_last_contacts(survey, draws);
+    result.draws = without_whole_blocks(options.hold_out.block, without_last_contacts(survey, draws));
     result.held = hold_out(survey, result.draws, options.hold_out);
     const LocalErrors of_layers = add_layers(result, survey, options);
     const LocalErrors of_horizons = add_horizons(result, survey, options);

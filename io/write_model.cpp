@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/write_choice.h"
+
 namespace stratareeb {
 
 namespace {
@@ -97,6 +99,7 @@ std::string model_json(const LayerModel& model, const Survey& survey, const Mode
         json["checks"].push_back({{"name", check.name}, {"ok", check.ok}, {"detail", check.detail}});
     json["misfit"] = {{"max", misfit.max}, {"rms", misfit.rms}, {"contacts", misfit.contacts}};
     if (record.smoothness) json["smoothness"] = smoothness_json(*record.smoothness);
+    if (record.choice) json["auto"] = choice_json(*record.choice);
     json["options"] = record.options;
     json["warnings"] = record.warnings;
     json["files"] = record.files;

@@ -8,6 +8,7 @@
 
 #include "boreholes/audit.h"
 #include "boreholes/borehole.h"
+#include "boreholes/choose_interpolator.h"
 #include "mesh/layer_model.h"
 #include "mesh/model_summary.h"
 #include "subdivision/smoothness.h"
@@ -23,6 +24,7 @@ struct ModelRecord {
     std::string crs = {};                             // of map coordinates, "EPSG:27700" or WKT; may be empty
     std::vector<std::string> files;                   // all files of the folder, relative
     std::optional<SmoothnessReport> smoothness = {};  // of refined surfaces
+    std::optional<InterpolatorChoice> choice = {};    // by `auto`: all candidates' errors
     //! By unit, the files of its solids where a model has faults: one a block.
     std::vector<std::vector<std::string>> solids = {};
 };

@@ -299,4 +299,12 @@ FaultBlocks fault_blocks(const Footprint& footprint, const FaultTraces& traces,
     return BlockPartition(footprint, traces, holes).run();
 }
 
+FaultBlocks fault_blocks_of(const Survey& survey, const FaultTraces& traces,
+                            const std::optional<Footprint>& footprint) {
+    std::vector<Point2> sites;
+    for (const Borehole& hole : survey.holes) sites.push_back(hole.at);
+    return fault_blocks(checked_footprint(footprint ? *footprint : hull_footprint(HoleTriangulation(sites))),
+                        traces, sites);
+}
+
 }  // namespace stratareeb

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "boreholes/borehole.h"
 #include "mesh/footprint.h"
 
 namespace stratareeb {
@@ -26,6 +28,10 @@ struct FaultBlocks {
 //! \throw InvalidInput for a trace that is no line, and where a hole stands on a trace
 FaultBlocks fault_blocks(const Footprint& footprint, const FaultTraces& traces,
                          const std::vector<Point2>& holes);
+
+//! The same for a survey's holes, over a footprint in map coordinates, or their hull. For predictions alone (HoldOutOptions::block).
+FaultBlocks fault_blocks_of(const Survey& survey, const FaultTraces& traces,
+                            const std::optional<Footprint>& footprint = {});
 
 //! Traces with their loose ends cut or led on, and a note on each that was led on.
 struct JoinedTraces {

@@ -6,12 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <memory>
 #include <numbers>
 #include <set>
 
+#include "boreholes/column_field.h"
 #include "boreholes/errors.h"
-#include "boreholes/thickness_field.h"
 #include "mesh/compensated_sum.h"
 #include "mesh/cut_layers.h"
 
@@ -19,12 +18,6 @@ namespace stratareeb {
 
 namespace {
 
-// The thinnest a layer may be where it is present at all, as a share of the model's size: thick enough to
-// survive the subtraction of elevations, thin enough to be nothing.
-constexpr double kThinnest = 1e-9;
-// Pinch-out lines are not led into triangles along the hull that are flatter than this, where they would run
-// close beside the model's wall.
-constexpr double kPinchHullSliver = 0.05;
 constexpr double kBareOpening = 0.02, kSpacedOpening = 0.25;
 
 void report(const LayerModelOptions& options, const char* step, double share) {
@@ -38,17 +31,6 @@ double round_origin(double low, double high) {
     return std::floor(low / step) * step;
 }
 
-void shift(CompleteColumns& columns, const Point3& origin) {
-    for (Point2& p : columns.sites) p = {p.x - origin.x, p.y - origin.y};
-    for (double& z : columns.ground) z -= origin.z;
-}
-
-void shift(RuleColumns& rules, const Point3& origin, double thinnest) {
-    drop_thinner(rules, thinnest);
-    for (auto& anchor : rules.anchor)
-        for (double& z : anchor) z -= origin.z;
-}
-
 Footprint shifted(Footprint footprint, const Point3& origin) {
     for (auto& ring : footprint)
         for (Point2& p : ring) p = {p.x - origin.x, p.y - origin.y};
@@ -60,17 +42,6 @@ std::vector<Point2> plan_points(const TriMesh& mesh) {
     points.reserve(mesh.n_vertices());
     for (const auto v : mesh.vertices()) points.push_back({mesh.point(v)[0], mesh.point(v)[1]});
     return points;
-}
-
-double size_of(const CompleteColumns& columns, const Footprint& footprint) {
-    double deepest = 0;
-    for (std::size_t h = 0; h < columns.sites.size(); ++h) {
-        double depth = 0;
-        for (const auto& layer : columns.thickness) depth += layer[h];
-        deepest = std::max(deepest, depth);
-    }
-    const auto [z0, z1] = std::ranges::minmax(columns.ground);
-    return std::max({deepest, z1 - z0, std::sqrt(area(footprint))});
 }
 
 //! Lines out of the hull reach across the footprint, wherever it lies.
@@ -112,26 +83,6 @@ double expected_triangles(const Footprint& footprint, double spacing, std::size_
     return even + kPerFeature * static_cast<double>(features);
 }
 
-std::vector<double> ground_at(const std::vector<Point2>& where, const LayerModel& model,
-                              const std::shared_ptr<const HoleTriangulation>& holes,
-                              const LayerModelOptions& options) {
-    const auto interpolator = make_interpolator(options.interpolator, holes);
-    const auto terrain = [&](const Point2& p) -> std::optional<double> {
-        if (!options.terrain) return std::nullopt;
-        const auto z = options.terrain({p.x + model.origin.x, p.y + model.origin.y});
-        return z ? std::optional(*z - model.origin.z) : std::nullopt;
-    };
-    std::vector<double> misfit(model.columns.ground), bare(model.columns.ground);
-    std::vector<char> knows(misfit.size(), 0);
-    for (std::size_t h = 0; h < misfit.size(); ++h)
-        if (const auto z = terrain(model.columns.sites[h])) misfit[h] -= *z, knows[h] = 1;
-    const auto fields = interpolator->predict(where, std::vector<SiteField>{{bare, {}}, {misfit, knows}});
-    std::vector<double> ground = fields[0];
-    for (std::size_t v = 0; v < where.size(); ++v)
-        if (const auto z = terrain(where[v])) ground[v] = *z + fields[1][v];
-    return ground;
-}
-
 void set_horizons(LayerModel& model, std::vector<double> ground, std::vector<std::vector<double>> thickness,
                   double thinnest) {
     const std::size_t layers = thickness.size(), vertices = ground.size();
@@ -171,37 +122,20 @@ LayerModel build_layer_model(const Survey& survey, const LayerModelOptions& opti
     model.units = survey.units;
     model.length_unit = survey.length_unit;
     report(options, "completing the holes' columns", 0);
-    const CompletionOptions completion{options.interpolator, options.pinch_out, options.terrain,
-                                       options.rules};
-    const bool ruled = options.rules.any();
-    RuleColumns rules = ruled ? rule_columns(survey, completion) : RuleColumns{};
-    model.columns = ruled ? rules.columns : complete_columns(survey, completion);
-    model.notes = model.columns.notes;
-    model.origin = options.origin.value_or(suitable_origin(model.columns.sites, model.columns.ground));
-    shift(model.columns, model.origin);
-
-    const auto holes = std::make_shared<const HoleTriangulation>(model.columns.sites);
-    const Footprint footprint = checked_footprint(
-        options.footprint ? shifted(*options.footprint, model.origin) : hull_footprint(*holes));
-    const double thinnest = kThinnest * size_of(model.columns, footprint);
-    for (auto& layer : model.columns.thickness)
-        for (double& t : layer)
-            if (t < thinnest) t = 0;
-    if (ruled) {
-        shift(rules, model.origin, thinnest);
-        model.columns.thickness = rules.columns.thickness;
-    }
-
+    ColumnField columns(survey, {options.interpolator, options.pinch_out, options.terrain, options.rules});
+    model.notes = columns.columns().notes;
+    model.origin =
+        options.origin.value_or(suitable_origin(columns.columns().sites, columns.columns().ground));
+    columns.move_origin(model.origin);
+    const Footprint footprint =
+        checked_footprint(options.footprint ? shifted(*options.footprint, model.origin)
+                                            : hull_footprint(HoleTriangulation(columns.columns().sites)));
     model.spacing =
         options.spacing.value_or(options.spacing_factor * suitable_spacing(footprint, survey.holes.size()));
     const bool bare = model.spacing == 0;
-    const auto outline =
-        bare ? holes : std::make_shared<const HoleTriangulation>(model.columns.sites, kPinchHullSliver);
-    // Other predictions keep off the flat triangles along the hull too; the linear ones are what they are.
-    const bool smooth = options.interpolator != InterpolatorKind::Linear;
-    const auto sites = smooth && !outline->is_flat() ? outline : holes;
-    const ThicknessField field(outline, ruled ? rules.thickness : model.columns.thickness, options.pinch_out,
-                               make_interpolator(options.interpolator, sites));
+    columns.prepare(std::sqrt(area(footprint)), bare);
+    model.columns = columns.columns();
+    const ThicknessField& field = columns.thickness();
     const bool beyond_hull = options.footprint || !bare;
     PlanLines lines = pinch_lines(field, beyond_hull ? reach_beyond_hull(footprint, model.columns.sites) : 0);
     if (bare) lines = merged(std::move(lines), cut_triangulation_edges(field));
@@ -220,14 +154,12 @@ LayerModel build_layer_model(const Survey& survey, const LayerModelOptions& opti
 
     report(options, "predicting horizons", 0);
     const std::vector<Point2> where = plan_points(model.plan.surface);
-    std::vector<double> ground = ground_at(where, model, sites, options);
-    if (ruled)
-        cut_layers(
-            model, rules.sequences, options.rules,
-            uncut_columns(rules, field, *make_interpolator(options.interpolator, sites), where, ground),
-            thinnest, opening);
+    std::vector<double> ground = columns.ground(where);
+    if (columns.is_ruled())
+        cut_layers(model, columns.rules().sequences, options.rules, columns.uncut(where, ground),
+                   columns.thinnest(), opening);
     else
-        set_horizons(model, std::move(ground), field.predict(where), thinnest);
+        set_horizons(model, std::move(ground), field.predict(where), columns.thinnest());
     report(options, "predicting horizons", 1);
     return model;
 }
