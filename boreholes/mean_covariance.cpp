@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
 
 #include "boreholes/site_gaps.h"
 #include "boreholes/vecchia_likelihood.h"
@@ -18,50 +21,100 @@ constexpr double kLongest = 4;     // range of the slowest exponential, in exten
 constexpr double kShortest = 0.5;  // range of the fastest one, in median gaps, about
 constexpr std::size_t kMostRates = 14;
 constexpr double kFreedom = 6;  // of the law of errors
+constexpr double kLikely = 40;  // of −2 log likelihood, above the least: what is worse has no weight
+constexpr std::array kModels{std::pair(VariogramModel::Exponential, kPracticalExponential),
+                             std::pair(VariogramModel::Matern32, kPracticalMatern32)};
 constexpr std::array kNuggets{0.0, 0.01, 0.05, 0.15, 0.3, 0.5, 0.7, 0.9};
-
-struct Candidate {
-    Variogram variogram;  // of values of variance 1
-    std::size_t rate = 0;
-    double misfit = 0;
-};
 
 std::size_t number_of_rates(double gap, double extent) {
     const double doublings = std::log2(std::max(1.0, kLongest * extent / (kShortest * gap)));
     return std::min(kMostRates, static_cast<std::size_t>(std::ceil(doublings)) + 1);
 }
 
-std::vector<Candidate> candidates(const VecchiaLikelihood& likelihood, double slowest, std::size_t rates) {
-    std::vector<Candidate> result;
-    for (std::size_t k = 0; k < rates; ++k)
-        for (const auto& [model, practical] : {std::pair(VariogramModel::Exponential, kPracticalExponential),
-                                               std::pair(VariogramModel::Matern32, kPracticalMatern32)}) {
-            const double range = practical / std::ldexp(slowest, static_cast<int>(k));
-            const auto structure =
-                covariance_kernel({.model = model, .nugget = 0, .sill = 1, .range = range}, 0);
-            const auto covariances = likelihood.covariances(*structure);
-            for (const double nugget : kNuggets) {
-                double sill = 0;
-                const double misfit = likelihood.misfit(covariances, nugget, sill, kFreedom);
-                result.push_back({{model, sill * nugget, sill * (1 - nugget), range}, k, misfit});
-            }
-        }
-    return result;
-}
+//! One model, rate and nugget of the grid of those looked at.
+struct Candidate {
+    std::size_t model = 0, rate = 0, nugget = 0;
+    double misfit = std::numeric_limits<double>::quiet_NaN(), sill = 0;
 
-MeanCovariance weighted(const std::vector<Candidate>& all, double slowest, std::size_t rates,
-                        double variance) {
+    bool is_known() const { return !std::isnan(misfit); }
+};
+
+//! Misfits over the grid, where they matter: every other rate and nugget, then whatever is beside a likely one.
+class Search {
+ public:
+    Search(const VecchiaLikelihood& likelihood, double slowest, std::size_t rates)
+        : likelihood_(likelihood), slowest_(slowest), rates_(rates), covariances_(kModels.size() * rates) {
+        for (std::size_t m = 0; m < kModels.size(); ++m)
+            for (std::size_t r = 0; r < rates; ++r)
+                for (std::size_t n = 0; n < kNuggets.size(); ++n) all_.push_back({m, r, n});
+    }
+
+    std::vector<Candidate> run() {
+        for (Candidate& c : all_)
+            if (c.rate % 2 == 0 && c.nugget % 2 == 0) rate(c);
+        while (add_neighbours()) continue;
+        std::erase_if(all_, [](const Candidate& c) { return !c.is_known(); });
+        return std::move(all_);
+    }
+
+    Variogram variogram(const Candidate& c) const {
+        const auto& [model, practical] = kModels[c.model];
+        const double nugget = kNuggets[c.nugget];
+        return {model, c.sill * nugget, c.sill * (1 - nugget), practical / rate_of(c.rate)};
+    }
+
+ private:
+    double rate_of(std::size_t r) const { return std::ldexp(slowest_, static_cast<int>(r)); }
+
+    void rate(Candidate& c) {
+        auto& covariances = covariances_[c.model * rates_ + c.rate];
+        if (covariances.empty()) {
+            const auto& [model, practical] = kModels[c.model];
+            covariances =
+                likelihood_.covariances(*covariance_kernel({model, 0, 1, practical / rate_of(c.rate)}, 0));
+        }
+        c.misfit = likelihood_.misfit(covariances, kNuggets[c.nugget], c.sill, kFreedom);
+        least_ = std::min(least_, c.misfit);
+    }
+
+    bool is_likely(std::size_t m, std::size_t r, std::size_t n) const {
+        if (r >= rates_ || n >= kNuggets.size()) return false;
+        return all_[(m * rates_ + r) * kNuggets.size() + n].misfit < least_ + kLikely;
+    }
+
+    bool add_neighbours() {
+        std::vector<Candidate*> next;
+        for (Candidate& c : all_) {
+            const auto [m, r, n] = std::tuple(c.model, c.rate, c.nugget);
+            const bool beside = is_likely(m, r + 1, n) || is_likely(m, r - 1, n) || is_likely(m, r, n + 1) ||
+                                is_likely(m, r, n - 1) || is_likely(1 - m, r, n);
+            if (!c.is_known() && beside) next.push_back(&c);
+        }
+        for (Candidate* c : next) rate(*c);
+        return !next.empty();
+    }
+
+    const VecchiaLikelihood& likelihood_;
+    double slowest_, least_ = std::numeric_limits<double>::infinity();
+    std::size_t rates_;
+    std::vector<VecchiaLikelihood::Covariances> covariances_;  // by model, rate
+    std::vector<Candidate> all_;                               // by model, rate, nugget
+};
+
+MeanCovariance weighted_mean(Search search, double slowest, std::size_t rates, double variance) {
+    const std::vector<Candidate> all = search.run();
     MeanCovariance mean{slowest, std::vector<double>(rates, 0.0), std::vector<double>(rates, 0.0), 0, {}};
     const Candidate& best = *std::ranges::min_element(all, {}, &Candidate::misfit);
     double sum = 0;
     for (const Candidate& c : all) sum += std::exp((best.misfit - c.misfit) / 2);
     for (const Candidate& c : all) {
         const double weight = std::exp((best.misfit - c.misfit) / 2) / sum * variance;
-        mean.nugget += weight * c.variogram.nugget;
-        mean.constant[c.rate] += weight * c.variogram.sill;
-        if (c.variogram.model == VariogramModel::Matern32) mean.linear[c.rate] += weight * c.variogram.sill;
+        const Variogram v = search.variogram(c);
+        mean.nugget += weight * v.nugget;
+        mean.constant[c.rate] += weight * v.sill;
+        if (v.model == VariogramModel::Matern32) mean.linear[c.rate] += weight * v.sill;
     }
-    mean.likeliest = best.variogram;
+    mean.likeliest = search.variogram(best);
     mean.likeliest.nugget *= variance, mean.likeliest.sill *= variance;
     return mean;
 }
@@ -114,7 +167,7 @@ MeanCovariance mean_covariance(std::span<const Point2> at, std::span<const doubl
     const VecchiaLikelihood likelihood(at, scaled, drift);
     const double extent = extent_of(at), slowest = kPracticalExponential / (kLongest * extent);
     const std::size_t rates = number_of_rates(median_gap(at), extent);
-    return weighted(candidates(likelihood, slowest, rates), slowest, rates, variance);
+    return weighted_mean({likelihood, slowest, rates}, slowest, rates, variance);
 }
 
 std::unique_ptr<RadialKernel> mean_covariance_kernel(const MeanCovariance& mean, double micro_range) {
