@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "boreholes/known_elevations.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace stratareeb {
@@ -24,8 +25,8 @@ std::vector<std::vector<std::optional<double>>> known_elevations(const Survey& s
 }
 
 std::vector<double> completed_elevations(std::span<const Point2> sites,
-                                         std::span<const std::optional<double>> known,
-                                         InterpolatorKind kind) {
+                                         std::span<const std::optional<double>> known, InterpolatorKind kind,
+                                         std::span<const std::optional<double>> lowest) {
     std::vector<Point2> at, missing_at;
     std::vector<double> value, result(sites.size());
     std::vector<std::size_t> missing;
@@ -40,9 +41,19 @@ std::vector<double> completed_elevations(std::span<const Point2> sites,
         }
     }
     if (missing.empty()) return result;
+    std::vector<char> at_least(at.size(), 0);
+    for (const std::size_t h : missing)
+        if (!lowest.empty() && lowest[h] && takes_bounds(kind)) {
+            at.push_back(sites[h]), value.push_back(*lowest[h]);
+            at_least.push_back(1);
+        }
     const auto interpolator = make_interpolator(kind, std::make_shared<HoleTriangulation>(at));
-    const auto predicted = interpolator->predict(missing_at, std::vector<SiteField>{{value, {}}})[0];
-    for (std::size_t m = 0; m < missing.size(); ++m) result[missing[m]] = predicted[m];
+    const auto predicted =
+        interpolator->predict(missing_at, std::vector<SiteField>{{value, {}, at_least}})[0];
+    for (std::size_t m = 0; m < missing.size(); ++m) {
+        const std::size_t h = missing[m];
+        result[h] = lowest.empty() || !lowest[h] ? predicted[m] : std::max(predicted[m], *lowest[h]);
+    }
     return result;
 }
 

@@ -15,9 +15,11 @@ namespace stratareeb {
 std::vector<std::vector<std::optional<double>>> known_elevations(const Survey& survey,
                                                                  std::span<const double> ground);
 
-//! Elevations at all sites: known ones as they are, the others predicted from them.
+//! Elevations at all sites: known ones as they are, the others predicted from them, no lower than `lowest` (empty, or
+//! by site) where that is given. Methods that take bounds let them tell on other sites too.
 //! \pre at least one is known.
 std::vector<double> completed_elevations(std::span<const Point2> sites,
-                                         std::span<const std::optional<double>> known, InterpolatorKind kind);
+                                         std::span<const std::optional<double>> known, InterpolatorKind kind,
+                                         std::span<const std::optional<double>> lowest = {});
 
 }  // namespace stratareeb

@@ -15,8 +15,9 @@ namespace stratareeb {
 
 namespace {
 
-constexpr double kCutBy = 1e-9;  // of the layers' thickness: a cut that is less is none
-constexpr double kKept = 0.1;    // of its thickness, by a predicted unit for which there is no room
+constexpr double kCutBy = 1e-9;         // of the layers' thickness: a cut that is less is none
+constexpr double kLeastFraction = 0.1;  // of the way to a hole without it, that a unit ends before
+constexpr double kKept = 0.1;           // of its thickness, by a predicted unit for which there is no room
 
 class RuleCompletion {
  public:
@@ -133,6 +134,19 @@ class RuleCompletion {
         return std::nullopt;
     }
 
+    //! A hole that lacks an eroding unit says that its base, led on, passes above: at half-way pinch-outs by as much as the unit is
+    //! thick nearby, so that the two cross half way between a hole with it and one without.
+    std::vector<std::optional<double>> lowest_anchors(std::size_t n) const {
+        const LayerSequence& s = result_.sequences[n];
+        std::vector<std::optional<double>> lowest(holes_);
+        if (s.stands || s.on_onlap) return lowest;
+        const double fraction = std::max(options_.pinch_out.fraction, kLeastFraction);
+        for (std::size_t h = 0; h < holes_; ++h)
+            if (fact(h, s.last).is_absent() && known_[h][s.last])
+                lowest[h] = *known_[h][s.last] + fraction / (1 - fraction) * result_.thickness[s.last][h];
+        return lowest;
+    }
+
     void complete_anchor(std::size_t n) {
         std::vector<std::optional<double>> z(holes_);
         for (std::size_t h = 0; h < holes_; ++h) z[h] = implied_anchor(h, n);
@@ -146,13 +160,15 @@ class RuleCompletion {
                                 "conformable)",
                                 s.on_onlap ? "top" : "base", survey_.units[unit].code));
         }
-        std::vector<double> values = completed_elevations(result_.columns.sites, z, options_.interpolator);
+        const auto lowest = lowest_anchors(n);
+        std::vector<double> values =
+            completed_elevations(result_.columns.sites, z, options_.interpolator, lowest);
         bool lowered = false;
         for (std::size_t h = 0; h < holes_; ++h) {
             const auto highest = z[h] ? std::nullopt : highest_anchor(h, n);
             if (highest && *highest < values[h]) z[h] = *highest, lowered = true;
         }
-        if (lowered) values = completed_elevations(result_.columns.sites, z, options_.interpolator);
+        if (lowered) values = completed_elevations(result_.columns.sites, z, options_.interpolator, lowest);
         result_.anchor[n] = std::move(values);
     }
 
