@@ -24,7 +24,8 @@ constexpr double kFreedom = 6;  // of the law of errors
 constexpr double kLikely = 40;  // of −2 log likelihood, above the least: what is worse has no weight
 constexpr std::array kModels{std::pair(VariogramModel::Exponential, kPracticalExponential),
                              std::pair(VariogramModel::Matern32, kPracticalMatern32)};
-constexpr std::array kNuggets{0.0, 0.01, 0.05, 0.15, 0.3, 0.5, 0.7, 0.9};
+// A dome of a hundred metres picked to a metre has a nugget of a ten-thousandth.
+constexpr std::array kNuggets{0.0, 1e-4, 4e-4, 1.6e-3, 6e-3, 0.025, 0.08, 0.2, 0.4, 0.6, 0.8, 0.95};
 
 std::size_t number_of_rates(double gap, double extent) {
     const double doublings = std::log2(std::max(1.0, kLongest * extent / (kShortest * gap)));
