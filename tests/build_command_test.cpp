@@ -68,6 +68,19 @@ class BuildCommand : public testing::Test {
     TemporaryFolder folder_;
 };
 
+TEST_F(BuildCommand, records_what_auto_compared) {
+    const auto result = run("build holes.csv -o out --interpolator auto --rule Gravel=base --spacing 20");
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const auto record = nlohmann::json::parse(content_of(folder_ / "out/model.json"));
+    EXPECT_EQ(record["auto"]["candidates"].size(), 6u);
+    EXPECT_EQ(record["auto"]["quantities"].size(), 6u);
+    EXPECT_TRUE(says(record["warnings"].dump(), record["auto"]["reason"].get<std::string>()));
+    EXPECT_TRUE(says(content_of(folder_ / "out/auto.csv"), "quantity,held_out,linear,natural,"));
+    EXPECT_TRUE(says(record["files"].dump(), "auto.csv"));
+    ASSERT_EQ(run("build holes.csv -o out --overwrite --spacing 20").exit_code, 0);
+    EXPECT_FALSE(fs::exists(folder_ / "out/auto.csv")) << "of an earlier model";
+}
+
 TEST_F(BuildCommand, makes_horizons_layers_and_a_record) {
     const auto result = run("build holes.csv -o out");
     ASSERT_EQ(result.exit_code, 0) << result.err;

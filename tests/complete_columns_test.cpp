@@ -130,6 +130,19 @@ TEST(CompleteColumns, count_an_at_least_above_the_prediction_as_knowledge_for_ot
     EXPECT_GT(complete_columns(survey).thickness[0][5], 6);
 }
 
+TEST(CompleteColumns, tell_what_is_found_from_what_is_predicted) {
+    for (const auto kind : {InterpolatorKind::Kriging, InterpolatorKind::Spline, InterpolatorKind::Linear}) {
+        const CompletionOptions options{.interpolator = kind};
+        const auto known = [&](const LayerFact& fact) {
+            return static_cast<int>(complete_columns(square_of(kEven, fact), options).known[0][4]);
+        };
+        EXPECT_EQ(known(measured(2)), 1);
+        EXPECT_EQ(known(kUnknown), 0);
+        EXPECT_EQ(known(at_least(1)), 0) << "a bound below what the others say";
+        EXPECT_EQ(known(at_least(5)), 1) << "a bound in force";
+    }
+}
+
 TEST(CompleteColumns, of_a_layer_that_no_hole_drills_through_end_where_the_holes_end) {
     const auto columns =
         complete_columns(square_of({at_least(1), at_least(2), at_least(3), measured(0)}, kUnknown),

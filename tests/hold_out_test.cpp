@@ -387,6 +387,43 @@ TEST(HoldOut, the_last_contact_of_a_horizon_stays) {
     EXPECT_EQ(without_last_contacts(survey, draws), draws);
 }
 
+// Two blocks beside each other with a throw of 30 between them: errors of one never tell of the other.
+TEST(HoldOut, never_looks_across_a_fault) {
+    Survey west = random_survey({.holes = 40, .layers = 2, .seed = 3, .corners = false}), both = west;
+    Survey east = random_survey({.holes = 40, .layers = 2, .seed = 4, .corners = false});
+    HoldOutOptions options;
+    options.block.assign(40, 7);
+    for (Borehole& hole : east.holes) {
+        for (auto& z : hole.horizons) z = *z - 30;
+        hole.layers[0].thickness += 5;
+        for (std::size_t k = 1; k < hole.horizons.size(); ++k) hole.horizons[k] = *hole.horizons[k] - 5;
+        both.holes.push_back(hole);
+        options.block.push_back(2);
+    }
+    std::vector<Draw> draws;
+    for (const Draw& draw : fold_draws(40, 5, 1)) {
+        draws.push_back(draw);
+        for (const std::size_t h : draw) draws.back().push_back(40 + h);
+    }
+    const auto held = hold_out(both, draws, options);
+    const auto of_west = hold_out(west, fold_draws(40, 5, 1)), of_east = hold_out(east, fold_draws(40, 5, 1));
+    ASSERT_EQ(held.size(), 80u);
+    for (const HeldOutHole& hole : held) {
+        const auto& alone = hole.hole < 40 ? of_west : of_east;
+        const auto same =
+            std::ranges::find(alone, hole.hole < 40 ? hole.hole : hole.hole - 40, &HeldOutHole::hole);
+        EXPECT_EQ(hole.horizons, same->horizons);
+        EXPECT_EQ(hole.draw, same->draw);
+    }
+}
+
+TEST(HoldOut, the_last_hole_of_a_block_stays) {
+    const std::vector<std::uint32_t> block{1, 1, 0, 2, 2, 2};
+    EXPECT_EQ(without_whole_blocks(block, {{0, 1, 3}, {2}, {3, 4, 5}, {0, 4}}),
+              (std::vector<Draw>{{1, 3}, {4, 5}, {0, 4}}));
+    EXPECT_EQ(without_whole_blocks({}, {{0, 1}}), (std::vector<Draw>{{0, 1}}));
+}
+
 TEST(HoldOut, too_few_left_is_said_with_the_draw) {
     Survey survey = survey_of({measured("a", {0, 0}, {1}), measured("b", {10, 0}, {1})});
     EXPECT_EQ(hold_out(survey, single_draws(2), as_the_thesis()).size(), 2u);

@@ -136,6 +136,40 @@ TEST(ValidateCommand, auto_names_what_it_chose_and_why) {
     EXPECT_EQ(std::ranges::count(table, '\n'), 6);
 }
 
+TEST(ValidateCommand, predicts_nothing_from_across_a_fault) {
+    const TemporaryFolder folder;
+    const std::string graben = STRATAREEB_SOURCE_DIR "/examples/graben/";
+    const auto worst_horizon = [&](const std::string& options) {
+        const auto run = run_program(folder, "validate '" + graben + "holes.csv' --json " + options);
+        EXPECT_EQ(run.exit_code, 0) << run.err;
+        double worst = 0;
+        const Json json = Json::parse(run.out);
+        for (const Json& horizon : json["interpolators"][0]["horizons"])
+            worst = std::max(worst, horizon["rmse"].get<double>());
+        return worst;
+    };
+    const std::string faults = "--faults '" + graben + "faults.geojson'";
+    EXPECT_LT(worst_horizon(faults), 0.5);
+    EXPECT_GT(worst_horizon(""), 5) << "the throw is 30";
+    EXPECT_LT(worst_horizon(faults + " --interpolator auto"), 0.5);
+    EXPECT_EQ(run_program(folder, "validate '" + graben + "holes.csv' --truth t.json " + faults).exit_code,
+              2);
+}
+
+TEST(ValidateCommand, rules_make_a_buried_valley_predictable) {
+    const TemporaryFolder folder;
+    const std::string valley = STRATAREEB_SOURCE_DIR "/examples/buried_valley/";
+    for (const char* interpolator : {"kriging", "natural"}) {
+        const auto rmse_of_gravel = [&](const std::string& options) {
+            const auto run = run_program(
+                folder, "validate '" + valley + "holes.csv' --json --interpolator " + interpolator + options);
+            EXPECT_EQ(run.exit_code, 0) << run.err;
+            return Json::parse(run.out)["interpolators"][0]["layers"][1]["rmse"].get<double>();
+        };
+        EXPECT_LT(rmse_of_gravel(" --rules '" + valley + "units.csv'"), 0.7 * rmse_of_gravel(""));
+    }
+}
+
 TEST(ValidateCommand, wrong_usage_and_bad_data_have_their_exit_codes) {
     const TemporaryFolder folder;
     const auto exit_code = [&](const std::string& arguments) {

@@ -342,12 +342,12 @@ double share_of(const Validation& one, const Validation& other) {
 TEST(Validation, shared_sets_are_covered_uncrossed_and_better_than_by_linear_in_ten_folds) {
     const std::string data = STRATAREEB_SOURCE_DIR "/../shared/data/";
     if (!std::filesystem::exists(data + "baselines.csv")) GTEST_SKIP() << "no data beside the source tree";
-    for (const SharedSet& set : {SharedSet{"teapot_dome/wide_shannon_noheader.csv", 0.95},
-                                 SharedSet{"teapot_dome/wide_frontier_noheader.csv", 0.85},
-                                 SharedSet{"louisiana_north/wide_claycap_noheader.csv", 0.95},
-                                 SharedSet{"ags_uk/sighthill/wide_noheader.csv", 1.02},  // level with linear
-                                 SharedSet{"ags_uk/wigan_depot/wide_noheader.csv", 0.97},
-                                 SharedSet{"thesis/thesis_sample3_wide_noheader.csv", 0.95}}) {
+    for (const SharedSet& set : {SharedSet{"teapot_dome/wide_shannon_noheader.csv", 0.9},
+                                 SharedSet{"teapot_dome/wide_frontier_noheader.csv", 0.82},
+                                 SharedSet{"louisiana_north/wide_claycap_noheader.csv", 0.88},
+                                 SharedSet{"ags_uk/sighthill/wide_noheader.csv", 0.995},
+                                 SharedSet{"ags_uk/wigan_depot/wide_noheader.csv", 0.93},
+                                 SharedSet{"thesis/thesis_sample3_wide_noheader.csv", 0.91}}) {
         const Survey survey = read_boreholes({data + set.file}).survey;
         const auto draws = fold_draws(survey.holes.size(), 10, 1);
         std::vector<Validation> results;
