@@ -2,6 +2,7 @@
 #pragma once
 
 #include "boreholes/interpolator.h"
+#include "boreholes/nearest_sites.h"
 
 namespace stratareeb {
 
@@ -15,6 +16,9 @@ class InverseDistance : public Interpolator {
                                              std::span<const SiteField> fields) const override;
 
  private:
+    //! Of the nearest sites, nearest first; those that have none are taken off.
+    void set_weights(std::vector<NearSite>& near, std::vector<double>& weight) const;
+
     std::shared_ptr<const HoleTriangulation> holes_;
     double power_;
     std::size_t neighbours_;
