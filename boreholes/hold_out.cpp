@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <iterator>
 #include <map>
 #include <mutex>
 #include <thread>
@@ -56,18 +55,19 @@ std::vector<HeldOutHole> predicted(const Survey& survey, const Draw& draw, const
     const Rest rest = without(survey, draw);
     if (options.block.empty()) return predicted_from(rest.survey, survey, draw, options);
     std::map<std::uint32_t, Draw> asked;
+    std::map<std::size_t, HeldOutHole> found;
     for (const std::size_t h : draw) asked[options.block.at(h)].push_back(h);
-    std::vector<HeldOutHole> result;
     for (const auto& [block, holes] : asked) {
         std::vector<std::uint32_t> own;
         for (std::uint32_t i = 0; i < rest.hole.size(); ++i)
             if (options.block[rest.hole[i]] == block) own.push_back(i);
         std::vector<std::string> notes;
         const Survey known = survey_of_block(rest.survey, own, notes);
-        std::ranges::move(predicted_from(known, survey, holes, options), std::back_inserter(result));
+        for (HeldOutHole& hole : predicted_from(known, survey, holes, options))
+            found[hole.hole] = std::move(hole);
     }
-    std::ranges::sort(result, {},
-                      [&](const HeldOutHole& h) { return std::ranges::find(draw, h.hole) - draw.begin(); });
+    std::vector<HeldOutHole> result;
+    for (const std::size_t h : draw) result.push_back(std::move(found.at(h)));
     return result;
 }
 
