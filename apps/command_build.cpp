@@ -169,15 +169,15 @@ class Build {
 
     //! Predicted, made smooth and thinned out; with faults block by block.
     LayerModel model_of(const Survey& survey, int levels, ModelRecord& record) {
+        const LayerModelOptions options = model_options(survey, levels);
+        const double whole = arguments_.faults.empty() ? 0 : footprint_area(survey);
         const auto finished = [&](LayerModel model) {
+            const double share = whole > 0 ? plan_area(model) / whole : 1;
             refine(model, levels, record);
-            decimate(model);
+            decimate(model, share);
             return model;
         };
-        const LayerModelOptions options = model_options(survey, levels);
         if (arguments_.faults.empty()) return finished(build_layer_model(survey, options));
-        if (arguments_.decimate_to > 0)
-            throw InvalidInput("--decimate-to counts triangles of one plan; with --faults give --decimate");
         if (arguments_.step == StepKind::Smooth)
             throw InvalidInput("--step smooth does not know faults yet; leave it out for faceted bodies");
         return build_faulted_model(survey, read_faults(arguments_.faults), options, finished);
@@ -210,12 +210,27 @@ class Build {
         sum.thinnest = std::min(sum.thinnest, block.thinnest);
     }
 
-    void decimate(LayerModel& model) {
+    double footprint_area(const Survey& survey) const {
+        std::vector<Point2> holes;
+        for (const Borehole& hole : survey.holes) holes.push_back(hole.at);
+        return area(checked_footprint(footprint(survey).value_or(hull_footprint(HoleTriangulation(holes)))));
+    }
+
+    static double plan_area(const LayerModel& model) {
+        double sum = 0;
+        for (const auto f : model.plan.surface.faces()) sum += model.plan.surface.calc_face_area(f);
+        return sum;
+    }
+
+    //! A block between faults has its share of the triangles asked for.
+    void decimate(LayerModel& model, double share) {
         if (arguments_.decimate < 0 && arguments_.decimate_to == 0) return;
         progress_.step("leaving out triangles", kRefineEnd);
         DecimateLayersOptions options;
         if (arguments_.decimate >= 0) options.max_error = arguments_.decimate;
-        if (arguments_.decimate_to > 0) options.triangles = arguments_.decimate_to;
+        if (arguments_.decimate_to > 0)
+            options.triangles = static_cast<std::size_t>(
+                std::max(2.0, std::round(share * static_cast<double>(arguments_.decimate_to))));
         DecimatedLayers decimated = decimate_layers(model, options);
         model = std::move(decimated.model);
         notes_.push_back(decimated.note);

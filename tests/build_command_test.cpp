@@ -81,6 +81,20 @@ TEST_F(BuildCommand, records_what_auto_compared) {
     EXPECT_FALSE(fs::exists(folder_ / "out/auto.csv")) << "of an earlier model";
 }
 
+TEST_F(BuildCommand, leaves_out_triangles_of_every_block_between_faults) {
+    const std::string graben = STRATAREEB_SOURCE_DIR "/examples/graben/";
+    const auto plan_triangles = [&](const std::string& options) {
+        const auto result = run("build '" + graben + "holes.csv' --faults '" + graben +
+                                "faults.geojson' -o out --overwrite --json --refine 0" + options);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return nlohmann::json::parse(result.out)["plan_triangles"].get<std::size_t>();
+    };
+    ASSERT_GT(plan_triangles(""), 1000u);
+    const std::size_t left = plan_triangles(" --decimate-to 500");
+    EXPECT_GT(left, 450u);
+    EXPECT_LT(left, 800u);  // with what joins the blocks
+}
+
 TEST_F(BuildCommand, makes_horizons_layers_and_a_record) {
     const auto result = run("build holes.csv -o out");
     ASSERT_EQ(result.exit_code, 0) << result.err;
