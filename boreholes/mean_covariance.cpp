@@ -17,9 +17,9 @@ namespace stratareeb {
 namespace {
 
 constexpr std::size_t kLeastSites = 8;
-constexpr double kLongest = 4;     // range of the slowest exponential, in extents
+constexpr double kLongest = 32;    // range of the slowest exponential, in extents
 constexpr double kShortest = 0.5;  // range of the fastest one, in median gaps, about
-constexpr std::size_t kMostRates = 14;
+constexpr std::size_t kMostRates = 16;
 constexpr double kFreedom = 6;  // of the law of errors
 constexpr double kLikely = 40;  // of −2 log likelihood, above the least: what is worse has no weight
 constexpr std::array kModels{std::pair(VariogramModel::Exponential, kPracticalExponential),

@@ -20,7 +20,7 @@ struct MeanCovariance {
 };
 
 //! What values say of their covariance, when no one variogram is the only one that they allow: exponential and Matérn 3/2
-//! structures of all ranges from half the median gap to four extents, doubling, with nuggets of a dozen shares, each weighted by its
+//! structures of all ranges from half the median gap to 32 extents, doubling, with nuggets of a dozen shares, each weighted by its
 //! likelihood (vecchia_likelihood.h, with Student's t law of 6 degrees of freedom, for thicknesses have long tails). Kriging with the
 //! mean of the covariances is the best linear prediction when which of them holds is not known. Nothing is searched for: the
 //! result changes as little as the values and coordinates do.
