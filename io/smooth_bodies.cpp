@@ -6,15 +6,20 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <Standard_Failure.hxx>
 #include <TopoDS_Shape.hxx>
+#include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "boreholes/errors.h"
 #include "io/faceted_bodies.h"
 #include "io/smooth_shapes.h"
+#include "subdivision/strip_cells.h"
 
 namespace stratareeb {
 namespace {
+
+constexpr double kIntegrationShare =
+    0.2;  // of the volume that a body may be off, for how CAD programs integrate
 
 class Maker {
  public:
@@ -22,18 +27,19 @@ class Maker {
         : model_(model), options_(options), brep_(build_smooth_brep(model, options.fit)) {}
 
     SmoothBodies make() {
-        const auto shapes = smooth_shapes(brep_);
-        faults_.resize(shapes.size());
-        volumes_.resize(shapes.size());
-        tbb::parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t b) { examine(b, *shapes[b]); });
+        examine_all();
+        if (const auto sheets = badly_integrated(); std::ranges::count(sheets, 1) > 0) {
+            cut_into_strips(brep_, sheets);
+            examine_all();
+        }
         SmoothBodies result;
         std::map<std::uint32_t, std::size_t> bodies_of_layer;
-        for (std::size_t b = 0; b < shapes.size(); ++b) {
+        for (std::size_t b = 0; b < shapes_.size(); ++b) {
             const auto layer = brep_.cells.bodies[b].layer;
             const Unit& unit = model_.units[layer];
             CadBody body{.name = body_name(unit, bodies_of_layer[layer]++),
                          .color = rgb_from_text(unit.color),
-                         .solid = shapes[b]};
+                         .solid = shapes_[b]};
             if (!faults_[b].empty()) {
                 result.notes.push_back(fmt::format("'{}' is made of facets: {}", body.name, faults_[b]));
                 body.solid = facets(b);
@@ -51,20 +57,37 @@ class Maker {
     }
 
  private:
+    void examine_all() {
+        shapes_ = smooth_shapes(brep_);
+        faults_.assign(shapes_.size(), {});
+        volumes_.assign(shapes_.size(), 0);
+        tbb::parallel_for(std::size_t{0}, shapes_.size(), [&](std::size_t b) { examine(b, *shapes_[b]); });
+    }
+
+    // Sheets of bodies whose volume comes out wrong because their faces have too many spans.
+    std::vector<char> badly_integrated() const {
+        std::vector<char> sheets(brep_.horizons.sheets.size(), 0);
+        for (std::size_t b = 0; b < shapes_.size(); ++b) {
+            const auto& quality = brep_.quality[b];
+            const double off = std::abs(volumes_[b] - quality.volume) / quality.mesh_volume;
+            if (off <= kIntegrationShare * options_.volume_tolerance) continue;
+            for (const auto* faces : {&brep_.cells.bodies[b].top, &brep_.cells.bodies[b].base})
+                for (const auto c : *faces) sheets[brep_.horizons.of_cell[c]] = 1;
+        }
+        return sheets;
+    }
+
     void examine(std::size_t b, const TopoDS_Shape& shape) {
         const auto& quality = brep_.quality[b];
         faults_[b] = fault_of(quality);
-        if (!faults_[b].empty()) return;
         try {
-            if (!BRepCheck_Analyzer(shape).IsValid()) {
-                faults_[b] = "smooth faces make no valid solid of it";
-                return;
-            }
             volumes_[b] = cad_volume(shape);
+            if (faults_[b].empty() && !BRepCheck_Analyzer(shape).IsValid())
+                faults_[b] = "smooth faces make no valid solid of it";
         } catch (const Standard_Failure& e) {
             faults_[b] = fmt::format("OpenCASCADE can't check its smooth faces ({})", e.GetMessageString());
-            return;
         }
+        if (!faults_[b].empty()) return;
         const double off = std::abs(volumes_[b] - quality.mesh_volume) / quality.mesh_volume;
         if (!(off <= options_.volume_tolerance))
             faults_[b] = fmt::format("smooth faces would change its volume by {:.2g} %", 100 * off);
@@ -100,7 +123,8 @@ class Maker {
     const LayerModel& model_;
     const SmoothBodiesOptions& options_;
     SmoothBrep brep_;
-    std::vector<std::string> faults_;  // [body]; empty = sound
+    std::vector<std::shared_ptr<const TopoDS_Shape>> shapes_;  // [body]
+    std::vector<std::string> faults_;                          // [body]; empty = sound
     std::vector<double> volumes_;
 };
 

@@ -100,7 +100,7 @@ class ShapeBuilder {
     explicit ShapeBuilder(const SmoothBrep& brep) : brep_(brep) {
         make_vertices();
         for (std::uint32_t e = 0; e < brep.edges.size(); ++e) edges_.push_back(edge_pieces(e));
-        for (std::uint32_t c = 0; c < brep.patches.size(); ++c) cells_.push_back(cell_face(c));
+        for (std::uint32_t c = 0; c < brep.cells.cells.size(); ++c) cells_.push_back(cell_face(c));
     }
 
     TopoDS_Solid solid(const PlanCells::Body& body) {
@@ -117,25 +117,26 @@ class ShapeBuilder {
     }
 
  private:
-    double edge_tolerance(std::uint32_t e) const { return kSlack * brep_.edges[e].tolerance + kTolerance; }
-
     // A vertex reaches as far as the edges that end there.
     void make_vertices() {
-        std::vector<double> tolerance;
-        for (const auto& corner : brep_.corners) tolerance.push_back(kSlack * corner.tolerance + kTolerance);
-        for (std::uint32_t e = 0; e < brep_.edges.size(); ++e)
-            for (const auto c : {brep_.cells.edges[e].from, brep_.cells.edges[e].to})
-                tolerance[c] = std::max(tolerance[c], edge_tolerance(e));
-        vertices_.resize(brep_.corners.size());
-        for (std::size_t i = 0; i < vertices_.size(); ++i) {
-            const auto& p = brep_.corners[i].at;
-            builder_.MakeVertex(vertices_[i], gp_Pnt(p.x, p.y, p.z), tolerance[i]);
+        std::vector<double> tolerance(brep_.corners.size(), kTolerance);
+        for (std::uint32_t e = 0; e < brep_.edges.size(); ++e) {
+            const auto& off = brep_.edges[e].tolerances;
+            if (off.empty()) continue;
+            const auto& ends = brep_.cells.edges[e];
+            tolerance[ends.from] = std::max(tolerance[ends.from], kSlack * off.front() + kTolerance);
+            tolerance[ends.to] = std::max(tolerance[ends.to], kSlack * off.back() + kTolerance);
+        }
+        for (std::size_t i = 0; i < tolerance.size(); ++i) {
+            const auto& p = brep_.corners[i];
+            builder_.MakeVertex(vertices_.emplace_back(), gp_Pnt(p.x, p.y, p.z), tolerance[i]);
         }
     }
 
     // Programs integrate along an edge with a fixed number of points: one of many spans is made of several edges.
     struct Piece {
         SplineCurve curve{CubicKnots({0, 1}), {}};
+        double tolerance = kTolerance;
         TopoDS_Edge edge;
     };
 
@@ -146,14 +147,20 @@ class ShapeBuilder {
             pieces.emplace_back().edge = upright(e);
             return pieces;
         }
+        const auto& curve = brep_.edges[e].curve;
+        const std::size_t spans = curve.knots.spans(), count = (spans + kMostSpans - 1) / kMostSpans;
         TopoDS_Vertex from = vertices_[ends.from];
-        for (auto& curve : pieces_of(brep_.edges[e].curve)) {
-            const bool is_last = curve.knots.high() == brep_.edges[e].curve.knots.high();
-            TopoDS_Vertex to = is_last ? vertices_[ends.to] : end_of(curve, edge_tolerance(e));
-            Piece piece{std::move(curve), {}};
-            builder_.MakeEdge(piece.edge, space_curve(piece.curve), edge_tolerance(e));
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::size_t first = k * spans / count, last = (k + 1) * spans / count;
+            Piece& piece = pieces.emplace_back(Piece{part_of(curve, first, last)});
+            for (std::size_t s = first; s < last; ++s)
+                piece.tolerance =
+                    std::max(piece.tolerance, kSlack * brep_.edges[e].tolerances[s] + kTolerance);
+            TopoDS_Vertex to = last == spans ? vertices_[ends.to] : end_of(piece.curve, piece.tolerance);
+            builder_.UpdateVertex(from, piece.tolerance);
+            builder_.UpdateVertex(to, piece.tolerance);
+            builder_.MakeEdge(piece.edge, space_curve(piece.curve), piece.tolerance);
             add_ends(piece.edge, from, to, piece.curve.knots.low(), piece.curve.knots.high());
-            pieces.push_back(std::move(piece));
             from = to;
         }
         return pieces;
@@ -166,29 +173,24 @@ class ShapeBuilder {
         return vertex;
     }
 
-    static std::vector<SplineCurve> pieces_of(const SplineCurve& curve) {
-        const auto& breaks = curve.knots.breaks();
-        const std::size_t spans = curve.knots.spans(), count = (spans + kMostSpans - 1) / kMostSpans;
-        if (count == 1) return {curve};
-        std::vector<SplineCurve> pieces;
-        for (std::size_t k = 0; k < count; ++k) {
-            const auto first = static_cast<std::ptrdiff_t>(k * spans / count),
-                       last = static_cast<std::ptrdiff_t>((k + 1) * spans / count);
-            SplineCurve piece{CubicKnots({breaks.begin() + first, breaks.begin() + last + 1}), {}};
-            for (std::size_t c = 0; c < 3; ++c)
-                piece.coefficients.push_back(
-                    interpolate_spline(piece.knots, [&](double t) { return curve.at(c, t); }));
-            pieces.push_back(std::move(piece));
-        }
-        return pieces;
+    static SplineCurve part_of(const SplineCurve& curve, std::size_t first, std::size_t last) {
+        if (last - first == curve.knots.spans()) return curve;
+        const auto breaks = curve.knots.breaks().begin();
+        SplineCurve part{CubicKnots({breaks + static_cast<std::ptrdiff_t>(first),
+                                     breaks + static_cast<std::ptrdiff_t>(last) + 1}),
+                         {}};
+        for (std::size_t c = 0; c < 3; ++c)
+            part.coefficients.push_back(
+                interpolate_spline(part.knots, [&](double t) { return curve.at(c, t); }));
+        return part;
     }
 
     TopoDS_Edge upright(std::uint32_t e) {
         const auto& ends = brep_.cells.edges[e];
-        const auto &a = brep_.corners[ends.from].at, &b = brep_.corners[ends.to].at;
+        const auto &a = brep_.corners[ends.from], &b = brep_.corners[ends.to];
         TopoDS_Edge result;
         builder_.MakeEdge(result, new Geom_Line(gp_Pnt(a.x, a.y, a.z), gp_Dir(0, 0, b.z < a.z ? -1 : 1)),
-                          edge_tolerance(e));
+                          kTolerance);
         add_ends(result, vertices_[ends.from], vertices_[ends.to], 0, std::abs(b.z - a.z));
         return result;
     }
@@ -214,20 +216,36 @@ class ShapeBuilder {
         return result;
     }
 
-    void set_curve(std::uint32_t e, TopoDS_Edge& edge, const Handle(Geom2d_Curve) & curve,
-                   const TopoDS_Face& face) {
-        builder_.UpdateEdge(edge, curve, face, edge_tolerance(e));
+    // The sheet's spans that the cell reaches into.
+    Handle(Geom_Surface) cell_surface(std::uint32_t c) const {
+        double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+        for (const auto& loop : brep_.cells.cells[c].loops)
+            for (const auto& use : loop)
+                for (std::size_t k = 0; k < 2; ++k) {
+                    const auto [l, h] = std::ranges::minmax(brep_.edges[use.edge].curve.coefficients[k]);
+                    low[k] = std::min(low[k], l), high[k] = std::max(high[k], h);
+                }
+        const HeightPatch& sheet = brep_.sheet(c);
+        const auto surface = Handle(Geom_BSplineSurface)::DownCast(patch_surface(sheet));
+        const auto [u0, u1] = around(sheet.x, low[0], high[0]);
+        const auto [v0, v1] = around(sheet.y, low[1], high[1]);
+        surface->Segment(u0, u1, v0, v1);
+        return Handle(Geom_Surface)(surface);
+    }
+
+    static std::pair<double, double> around(const CubicKnots& knots, double low, double high) {
+        return {knots.breaks()[knots.span(low)], knots.breaks()[knots.span(high) + 1]};
     }
 
     TopoDS_Face cell_face(std::uint32_t c) {
         TopoDS_Face face;
-        builder_.MakeFace(face, patch_surface(brep_.patches[c]), kTolerance);
+        builder_.MakeFace(face, cell_surface(c), kTolerance);
         for (const auto& loop : brep_.cells.cells[c].loops) {
             for (const auto& use : loop)
-                for (auto& [curve, edge] : edges_[use.edge])
-                    set_curve(use.edge, edge,
-                              parameter_curve(curve.knots, curve.coefficients[0], curve.coefficients[1]),
-                              face);
+                for (auto& [curve, tolerance, edge] : edges_[use.edge])
+                    builder_.UpdateEdge(
+                        edge, parameter_curve(curve.knots, curve.coefficients[0], curve.coefficients[1]),
+                        face, tolerance);
             builder_.Add(face, wire(loop));
         }
         return face;
@@ -242,8 +260,8 @@ class ShapeBuilder {
             const auto [low, high] = heights(wall.loop);
             builder_.MakeFace(face, curved_wall(side, low, high), kTolerance);
             for (const auto& use : wall.loop)
-                for (auto& [curve, edge] : edges_[use.edge])
-                    set_curve(use.edge, edge, curve_on_wall(use.edge, curve, wall.side), face);
+                for (auto& [curve, tolerance, edge] : edges_[use.edge])
+                    builder_.UpdateEdge(edge, curve_on_wall(use.edge, curve, wall.side), face, tolerance);
         }
         builder_.Add(face, wire(wall.loop));
         return face;
@@ -255,9 +273,9 @@ class ShapeBuilder {
             const auto vertex = brep_.cells.corners[ends.from].vertex;
             const bool at_start = brep_.cells.sides[side].vertices.front() == vertex;
             const auto& knots = brep_.sides[side].curve.knots;
-            const bool up = brep_.corners[ends.to].at.z >= brep_.corners[ends.from].at.z;
+            const bool up = brep_.corners[ends.to].z >= brep_.corners[ends.from].z;
             return new Geom2d_Line(
-                gp_Pnt2d(at_start ? knots.low() : knots.high(), brep_.corners[ends.from].at.z),
+                gp_Pnt2d(at_start ? knots.low() : knots.high(), brep_.corners[ends.from].z),
                 gp_Dir2d(0, up ? 1 : -1));
         }
         auto along = curve.knots.greville();

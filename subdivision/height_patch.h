@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "boreholes/point.h"
@@ -16,6 +17,7 @@ struct HeightPatch {
     std::vector<double> coefficients;  // [function of x][function of y]
 
     double z(const Point2& p) const;
+    Point2 gradient(const Point2& p) const;  // dz/dx, dz/dy
 };
 
 //! A height that a patch is to have at a place.
@@ -24,12 +26,13 @@ struct HeightSample {
     double z = 0;
     double weight = 1;     // the plan area that it stands for, or a share of a border sample
     double tolerance = 1;  // how far off it may be
+    double highest = std::numeric_limits<double>::infinity();  // the patch is to stay below; >= z
 };
 
 struct HeightFitOptions {
-    double tolerance = 0;         // largest distance wanted at the samples, in the unit of z
-    double border_tolerance = 0;  // the same for samples on the border
-    double finest = 0;            // spans shorter than this are not halved
+    double finest = 0;  // spans shorter than this are not halved
+    //! Spans to begin with, over all samples and more; those beyond the samples are left out.
+    CubicKnots x{{0, 1}}, y{{0, 1}};
     std::size_t most_functions = 40'000;
 };
 
@@ -41,7 +44,6 @@ struct HeightFit {
 struct HeightSamples {
     std::vector<HeightSample> inside;  // to be met
     std::vector<HeightSample> border;  // to be met most closely
-    std::vector<HeightSample> guides;  // what is known roughly in between; not measured
 };
 
 //! Fit a patch to samples: least squares with just as much bending energy as decides where there are no samples
@@ -49,5 +51,8 @@ struct HeightSamples {
 //! spans are halved until the tolerances are met, or spans are as fine as they may be.
 //! \throw GeometryError if the equations can't be solved.
 HeightFit fit_height_patch(const HeightSamples& samples, const HeightFitOptions& options);
+
+//! The same with the spans of a patch as they are.
+HeightPatch refit_height_patch(const HeightSamples& samples, const HeightPatch& patch);
 
 }  // namespace stratareeb

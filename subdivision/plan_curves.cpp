@@ -12,8 +12,8 @@ constexpr double kSameBreak = 1e-9;  // of a line's length
 
 class Curves {
  public:
-    Curves(const TriMesh& plan, const PlanCells& cells, double tolerance)
-        : plan_(plan), cells_(cells), tolerance_(tolerance) {}
+    Curves(const TriMesh& plan, const PlanCells& cells, double tolerance, const LineMoves& moves)
+        : plan_(plan), cells_(cells), tolerance_(tolerance), moves_(moves), moved_(moves.inner) {}
 
     PlanCurves build() {
         PlanCurves curves;
@@ -60,6 +60,8 @@ class Curves {
         for (const auto v : side.vertices) points.push_back(vertex(v));
         const auto s = lengths(points);
         for (std::size_t i = 0; i < s.size(); ++i) along_[{number, side.vertices[i]}] = s[i];
+        for (const auto& [key, length] : moves_.on_side)
+            if (key.first == number) along_[key] = length;
         if (!side.straight) result.curve = fitted(points, s);
         return result;
     }
@@ -115,9 +117,7 @@ class Curves {
 
     LineCurve inner_line(const PlanCells::Line& line) const {
         std::vector<Point2> points;
-        for (const auto v : line.vertices) points.push_back(vertex(v));
-        points.front() = place(line.vertices.front());
-        points.back() = place(line.vertices.back());
+        for (const auto v : line.vertices) points.push_back(place(v));
         LineCurve result;
         result.parameters = lengths(points);
         result.curve = points.size() == 2 ? straight(points[0], points[1], result.parameters.back())
@@ -128,14 +128,16 @@ class Curves {
     const TriMesh& plan_;
     const PlanCells& cells_;
     double tolerance_;
+    const LineMoves& moves_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, double> along_;  // [side, vertex]: the length up to it
     std::map<std::uint32_t, Point2> moved_;  // ends of lines that a side's curve puts elsewhere
 };
 
 }  // namespace
 
-PlanCurves build_plan_curves(const TriMesh& plan, const PlanCells& cells, double tolerance) {
-    return Curves(plan, cells, tolerance).build();
+PlanCurves build_plan_curves(const TriMesh& plan, const PlanCells& cells, double tolerance,
+                             const LineMoves& moves) {
+    return Curves(plan, cells, tolerance, moves).build();
 }
 
 }  // namespace stratareeb

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "boreholes/point.h"
@@ -28,8 +30,16 @@ struct PlanCurves {
     std::vector<LineCurve> lines;  // [cells.lines]
 };
 
+//! Places that vertices of lines are to have instead of their own.
+struct LineMoves {
+    std::map<std::uint32_t, Point2> inner;  // by vertex
+    std::map<std::pair<std::uint32_t, std::uint32_t>, double>
+        on_side;  // by side and vertex: the length up to it
+};
+
 //! Smooth curves within a tolerance of the vertices of sides and lines. Lines on a side are exactly parts of
 //! its curve, and lines that meet at a vertex meet in one point.
-PlanCurves build_plan_curves(const TriMesh& plan, const PlanCells& cells, double tolerance);
+PlanCurves build_plan_curves(const TriMesh& plan, const PlanCells& cells, double tolerance,
+                             const LineMoves& moves = {});
 
 }  // namespace stratareeb

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "subdivision/horizon_sheets.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <map>
+
+namespace stratareeb {
+namespace {
+
+constexpr std::uint32_t kNone = PlanCells::kNone;
+constexpr double kLeastTolerance = 0.1;  // as a share of a sheet's own: else knots gather at thin places
+constexpr double kBorderShare = 0.1;     // of a sheet's tolerance: what it may be off where its body ends
+constexpr int kSamplesAnEdge = 4;        // of the plan's triangles, along the end of a body
+constexpr double kMargin = 0.02;         // of the longer side, around the plan
+constexpr double kGroundShare =
+    0.5;                            // of the functions that a sheet may have; the lowest horizon may have all
+constexpr double kMuchOfTop = 0.3;  // of a body's area: the sheets above that much of it lend it their spans
+constexpr std::size_t kFewFunctions = 200;
+constexpr double kHoleTolerance = 0.25;  // of the tolerance elsewhere, at boreholes
+constexpr int kVolumeRounds = 3;
+constexpr double kVolumeOff = 2e-4;   // what a body's volume may be off without being corrected
+constexpr double kMostShrunk = 0.3;   // of the thickness, by a correction
+constexpr double kFinestSpan = 0.25;  // of a mean edge of the plan's triangles: shorter spans are not halved
+constexpr double kTrustedShare =
+    0.02;  // where the sheets above are off by more than that share of the thickness, so is the base
+constexpr double kLeastShare = 0.2;  // of the thickness at a place, that a body keeps there
+
+class Fitter {
+ public:
+    Fitter(const LayerModel& model, const PlanCells& cells, const PlanCurves& curves, double size,
+           const HorizonSheetsOptions& options)
+        : model_(model),
+          plan_(model.plan.surface),
+          cells_(cells),
+          curves_(curves),
+          size_(size),
+          options_(options) {}
+
+    HorizonSheets fit() {
+        for (const auto& cell : cells_.cells)
+            result_.of_cell.push_back(cell.body_above == kNone ? 0 : cell.body_above + 1);
+        const std::size_t sheets = cells_.bodies.size() + 1;
+        result_.sheets.assign(sheets, {CubicKnots({0, 1}), CubicKnots({0, 1}), {}});
+        result_.off.assign(sheets, 0);
+        result_.least_thickness.assign(cells_.bodies.size(), INFINITY);
+        is_hole_.assign(plan_.n_vertices(), 0);
+        for (const auto v : model_.plan.hole_vertex)
+            if (v != PlanMesh::kNoVertex) is_hole_[v] = 1;
+        lay_first_knots();
+        gather_ends();
+        fit_ground();
+        for (std::uint32_t first = 0, last = 0; first < cells_.bodies.size(); first = last) {
+            while (last < cells_.bodies.size() && cells_.bodies[last].layer == cells_.bodies[first].layer)
+                ++last;  // bodies of one layer don't depend on each other
+            tbb::parallel_for(first, last, [&](std::uint32_t b) { fit_base(b); });
+        }
+        return std::move(result_);
+    }
+
+ private:
+    using Corners = std::array<std::uint32_t, 3>;
+
+    Corners corners(std::uint32_t face) const {
+        Corners result{};
+        std::size_t n = 0;
+        for (const auto v : plan_.fv_range(plan_.face_handle(face)))
+            result[n++] = static_cast<std::uint32_t>(v.idx());
+        return result;
+    }
+
+    Point2 point(std::uint32_t v) const {
+        const auto& p = plan_.point(TriMesh::VertexHandle(static_cast<int>(v)));
+        return {p[0], p[1]};
+    }
+
+    Point2 centre(const Corners& c) const {
+        const Point2 p = point(c[0]), q = point(c[1]), r = point(c[2]);
+        return {(p.x + q.x + r.x) / 3, (p.y + q.y + r.y) / 3};
+    }
+
+    double area(std::uint32_t face) const { return plan_.calc_face_area(plan_.face_handle(face)); }
+
+    // Edges along which a body ends: its base meets a sheet further up there.
+    void gather_ends() {
+        ends_.resize(cells_.bodies.size());
+        for (std::uint32_t e = 0; e < cells_.edges.size(); ++e) {
+            if (cells_.edges[e].line == kNone) continue;
+            std::vector<std::uint32_t> sheets;
+            for (const auto c : cells_.edges[e].cells) sheets.push_back(result_.of_cell[c]);
+            std::ranges::sort(sheets);
+            sheets.erase(std::ranges::unique(sheets).begin(), sheets.end());
+            for (std::size_t i = 1; i < sheets.size(); ++i) ends_[sheets[i] - 1].push_back({e, sheets[0]});
+        }
+    }
+
+    double finest(const std::vector<std::uint32_t>& faces) const {
+        double in_plan = 0;
+        for (const auto f : faces) in_plan += area(f);
+        return kFinestSpan * std::sqrt(2 * in_plan / static_cast<double>(faces.size()));
+    }
+
+    void fit_ground() {
+        std::vector<std::uint32_t> faces;
+        for (const auto& cell : cells_.cells)
+            if (cell.body_above == kNone) faces.insert(faces.end(), cell.faces.begin(), cell.faces.end());
+        std::vector<double> share(plan_.n_vertices(), 0);
+        const auto& ground = model_.horizons.front();
+        HeightSamples samples;
+        const double tolerance = options_.tolerance * size_;
+        for (const auto f : faces) {
+            const Corners c = corners(f);
+            for (const auto v : c) share[v] += area(f) / 6;
+            samples.inside.push_back(
+                {centre(c), (ground[c[0]] + ground[c[1]] + ground[c[2]]) / 3, area(f) / 2, tolerance});
+        }
+        for (std::uint32_t v = 0; v < share.size(); ++v)
+            if (share[v] > 0)
+                samples.inside.push_back(
+                    {point(v), ground[v], share[v], (is_hole_[v] ? kHoleTolerance : 1) * tolerance});
+        fit_sheet(0, samples, faces, {}, kGroundShare);
+        for (std::uint32_t v = 0; v < share.size(); ++v)
+            if (share[v] > 0)
+                result_.off[0] =
+                    std::max(result_.off[0], std::abs(result_.sheets[0].z(point(v)) - ground[v]));
+    }
+
+    // Spans of the sheets above are kept, so that the base of a thin layer can follow its top in all detail: all are
+    // halves of halves of the same.
+    //! \param above sheets by the share of the body's plan area that they lie over
+    void fit_sheet(std::uint32_t s, const HeightSamples& samples, const std::vector<std::uint32_t>& faces,
+                   const std::map<std::uint32_t, double>& above, double share) {
+        CubicKnots x = first_x_, y = first_y_;
+        for (const auto& [a, part] : above) {
+            if (part < kMuchOfTop) continue;
+            x = joined(x, result_.sheets[a].x);
+            y = joined(y, result_.sheets[a].y);
+        }
+        const auto most =
+            std::min(static_cast<std::size_t>(share * static_cast<double>(options_.most_functions)),
+                     std::max(kFewFunctions, samples.inside.size()));
+        result_.sheets[s] =
+            fit_height_patch(samples, {.finest = finest(faces), .x = x, .y = y, .most_functions = most})
+                .patch;
+    }
+
+    static CubicKnots joined(const CubicKnots& a, const CubicKnots& b) {
+        std::vector<double> breaks;
+        std::ranges::set_union(a.breaks(), b.breaks(), std::back_inserter(breaks));
+        return CubicKnots(std::move(breaks));
+    }
+
+    void lay_first_knots() {
+        double x0 = INFINITY, x1 = -INFINITY, y0 = INFINITY, y1 = -INFINITY;
+        for (const auto v : plan_.vertices()) {
+            const Point2 p = point(static_cast<std::uint32_t>(v.idx()));
+            x0 = std::min(x0, p.x), x1 = std::max(x1, p.x), y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
+        }
+        const double margin = kMargin * std::max(x1 - x0, y1 - y0), side = std::min(x1 - x0, y1 - y0);
+        const auto knots = [&](double low, double high) {
+            return CubicKnots::uniform(
+                low - margin, high + margin,
+                static_cast<std::size_t>(std::clamp(std::round((high - low) / side), 1.0, 32.0)));
+        };
+        first_x_ = knots(x0, x1);
+        first_y_ = knots(y0, y1);
+    }
+
+    // What is known of a body at a vertex.
+    struct Here {
+        double share = 0;  // of the plan's area
+        double top = 0;    // of the sheets above, by area
+    };
+
+    // What the base of a body is fitted to, and what it is measured against.
+    struct BaseSamples {
+        HeightSamples samples;
+        std::vector<double> top, thick;  // [samples.inside] of the sheets above; of the model
+        double volume = 0, area = 0;     // of the model
+    };
+
+    void fit_base(std::uint32_t b) {
+        const auto& body = cells_.bodies[b];
+        const auto here = look_up(body);
+        BaseSamples base = base_samples(b, here);
+        std::map<std::uint32_t, double> above;
+        for (const auto c : body.top)
+            for (const auto f : cells_.cells[c].faces) above[result_.of_cell[c]] += area(f) / base.area;
+        fit_sheet(b + 1, base.samples, body.faces, above,
+                  std::lerp(kGroundShare, 1, (body.layer + 1.0) / static_cast<double>(model_.units.size())));
+        for (int round = 0; round < kVolumeRounds; ++round) {
+            const double missing = base.volume - volume_over(b, base);
+            if (std::abs(missing) <= kVolumeOff * base.volume) break;
+            for (std::size_t i = 0; i < base.thick.size(); ++i)
+                base.samples.inside[i].z -= std::max(missing / base.volume, -kMostShrunk) * base.thick[i];
+            result_.sheets[b + 1] = refit_height_patch(base.samples, result_.sheets[b + 1]);
+        }
+        measure(b, base, here);
+    }
+
+    BaseSamples base_samples(std::uint32_t b, const std::vector<Here>& here) const {
+        const auto& body = cells_.bodies[b];
+        BaseSamples base;
+        for (const auto f : body.faces) {
+            for (const auto v : corners(f)) base.volume += area(f) * thickness(body, v) / 3;
+            base.area += area(f);
+        }
+        const double tolerance =
+            std::min(options_.tolerance * size_, options_.thickness_tolerance * base.volume / base.area);
+        const double top_off = mean_off(body, here);
+        const auto add = [&](const Point2& at, double z, double top, double thick, double share,
+                             double exact) {
+            const double wanted = kTrustedShare * thick;
+            const double near_top = top_off * top_off / (top_off * top_off + wanted * wanted);
+            base.samples.inside.push_back(
+                {at, std::min(std::lerp(z, top - thick, near_top), top - thick / 2), share,
+                 exact * std::clamp(options_.thin_tolerance * thick, kLeastTolerance * tolerance, tolerance),
+                 top - kLeastShare * thick});
+            base.top.push_back(top);
+            base.thick.push_back(thick);
+        };
+        const auto& horizon = model_.horizons[body.layer + 1];
+        for (const auto f : body.faces) {
+            double z = 0, top = 0, thick = 0;
+            for (const auto v : corners(f))
+                z += horizon[v] / 3, top += here[v].top / here[v].share / 3, thick += thickness(body, v) / 3;
+            add(centre(corners(f)), z, top, thick, area(f) / 2, 1);
+        }
+        for (std::uint32_t v = 0; v < here.size(); ++v)
+            if (here[v].share > 0 && !model_.regions.zero_at[v][body.layer])
+                add(point(v), horizon[v], here[v].top / here[v].share, thickness(body, v), here[v].share / 2,
+                    is_hole_[v] ? kHoleTolerance : 1);
+        for (const auto& [edge, above] : ends_[b]) add_end(base.samples, edge, above, tolerance);
+        return base;
+    }
+
+    double volume_over(std::uint32_t b, const BaseSamples& base) const {
+        double volume = 0;
+        for (std::size_t i = 0; i < base.thick.size(); ++i) {
+            const auto& s = base.samples.inside[i];
+            volume += s.weight * (base.top[i] - result_.sheets[b + 1].z(s.at));
+        }
+        return volume;
+    }
+
+    double thickness(const PlanCells::Body& body, std::uint32_t v) const {
+        return model_.thickness(body.layer, v);
+    }
+
+    // Root mean square of what the sheets above are off the model.
+    double mean_off(const PlanCells::Body& body, const std::vector<Here>& here) const {
+        double sum = 0, shares = 0;
+        for (std::uint32_t v = 0; v < here.size(); ++v) {
+            if (!(here[v].share > 0)) continue;
+            sum += here[v].share * std::pow(here[v].top / here[v].share - model_.horizons[body.layer][v], 2);
+            shares += here[v].share;
+        }
+        return std::sqrt(sum / shares);
+    }
+
+    std::vector<Here> look_up(const PlanCells::Body& body) const {
+        std::vector<Here> here(plan_.n_vertices());
+        for (const auto c : body.top) {
+            const HeightPatch& sheet = result_.sheets[result_.of_cell[c]];
+            for (const auto f : cells_.cells[c].faces)
+                for (const auto v : corners(f)) {
+                    here[v].share += area(f) / 3;
+                    here[v].top += area(f) / 3 * sheet.z(point(v));
+                }
+        }
+        return here;
+    }
+
+    void add_end(HeightSamples& samples, std::uint32_t edge, std::uint32_t above, double tolerance) const {
+        const auto& line = curves_.lines[cells_.edges[edge].line];
+        const auto& t = line.parameters;
+        for (std::size_t i = 0; i + 1 < t.size(); ++i)
+            for (int k = 0; k < kSamplesAnEdge + (i + 2 == t.size()); ++k) {
+                const double at = std::lerp(t[i], t[i + 1], k / double(kSamplesAnEdge));
+                const Point2 p{line.curve.at(0, at), line.curve.at(1, at)};
+                samples.border.push_back(
+                    {p, result_.sheets[above].z(p), 1.0 / kSamplesAnEdge, kBorderShare * tolerance});
+            }
+    }
+
+    void measure(std::uint32_t b, const BaseSamples& base, const std::vector<Here>& here) {
+        const HeightPatch& sheet = result_.sheets[b + 1];
+        const auto& body = cells_.bodies[b];
+        for (std::size_t i = 0; i < base.thick.size(); ++i)
+            result_.least_thickness[b] =
+                std::min(result_.least_thickness[b], base.top[i] - sheet.z(base.samples.inside[i].at));
+        for (std::uint32_t v = 0; v < here.size(); ++v)
+            if (here[v].share > 0)
+                result_.off[b + 1] = std::max(
+                    result_.off[b + 1], std::abs(sheet.z(point(v)) - model_.horizons[body.layer + 1][v]));
+    }
+
+    struct End {
+        std::uint32_t edge, above;  // sheet
+    };
+
+    const LayerModel& model_;
+    const TriMesh& plan_;
+    const PlanCells& cells_;
+    const PlanCurves& curves_;
+    double size_;
+    const HorizonSheetsOptions& options_;
+    HorizonSheets result_;
+    CubicKnots first_x_{{0, 1}}, first_y_{{0, 1}};
+    std::vector<char> is_hole_;           // [vertex]
+    std::vector<std::vector<End>> ends_;  // [body]
+};
+
+}  // namespace
+
+HorizonSheets fit_horizon_sheets(const LayerModel& model, const PlanCells& cells, const PlanCurves& curves,
+                                 double size, const HorizonSheetsOptions& options) {
+    return Fitter(model, cells, curves, size, options).fit();
+}
+
+}  // namespace stratareeb

@@ -1,0 +1,412 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "subdivision/strip_cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace stratareeb {
+namespace {
+
+constexpr std::uint32_t kNone = PlanCells::kNone;
+constexpr std::size_t kSpansAStrip = 14;
+constexpr std::size_t kMostStrips = 12;  // of a sheet
+constexpr double kClear = 0.08;          // of a span: how far a line stays from corners and turns of edges
+constexpr double kApart = 0.3;           // of a span: how far from lines of other sheets
+constexpr int kSamplesASpan = 8;
+constexpr double kSameBreak = 1e-6;  // of a curve's length
+
+// A place where an edge crosses the line x = line.
+struct Crossing {
+    double t, line;
+    std::uint32_t corner = kNone;
+};
+
+double find_root(const SplineCurve& curve, double a, double b, double x) {
+    const bool rises = curve.at(0, b) > x;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = (a + b) / 2;
+        ((curve.at(0, middle) > x) == rises ? b : a) = middle;
+    }
+    return (a + b) / 2;
+}
+
+// The part of a curve between two parameters, exactly.
+SplineCurve part_of(const SplineCurve& curve, double from, double to) {
+    const double least = kSameBreak * (curve.knots.high() - curve.knots.low());
+    std::vector<double> breaks{from};
+    for (const double b : curve.knots.breaks())
+        if (b > from + least && b < to - least) breaks.push_back(b);
+    breaks.push_back(to);
+    SplineCurve part{CubicKnots(breaks), {}};
+    for (std::size_t c = 0; c < 3; ++c)
+        part.coefficients.push_back(interpolate_spline(part.knots, [&](double t) { return curve.at(c, t); }));
+    return part;
+}
+
+class Cutter {
+ public:
+    Cutter(SmoothBrep& brep, const std::vector<char>& sheets)
+        : brep_(brep), cells_(brep.cells), is_cut_(sheets) {}
+
+    void cut() {
+        lay_lines();
+        split_edges();
+        const std::size_t cells = cells_.cells.size();
+        for (auto& cell : cells_.cells)
+            for (auto& loop : cell.loops) loop = expanded(loop);
+        for (auto& body : cells_.bodies)
+            for (auto& wall : body.walls) wall.loop = expanded(wall.loop);
+        for (std::uint32_t c = 0; c < cells; ++c) split_cell(c);
+    }
+
+ private:
+    std::uint32_t sheet_of(std::uint32_t cell) const { return brep_.horizons.of_cell[cell]; }
+
+    // Lines of each sheet, so that no strip has too many spans.
+    void lay_lines() {
+        const std::size_t sheets = brep_.horizons.sheets.size();
+        lines_.resize(sheets);
+        std::vector<std::vector<double>> places(
+            sheets);  // where lines must not be: corners and turns of edges
+        std::vector<double> low(sheets, INFINITY), high(sheets, -INFINITY);
+        for (std::uint32_t c = 0; c < cells_.cells.size(); ++c)
+            for (const auto& loop : cells_.cells[c].loops)
+                for (const auto& use : loop) {
+                    auto& here = places[sheet_of(c)];
+                    add_turns(brep_.edges[use.edge].curve, here);
+                    const auto [l, h] = std::ranges::minmax(brep_.edges[use.edge].curve.coefficients[0]);
+                    low[sheet_of(c)] = std::min(low[sheet_of(c)], l);
+                    high[sheet_of(c)] = std::max(high[sheet_of(c)], h);
+                }
+        for (std::uint32_t s = 0; s < sheets; ++s)
+            if (is_cut_[s] && low[s] < high[s]) lay_lines_of(s, low[s], high[s], places[s]);
+    }
+
+    static void add_turns(const SplineCurve& curve, std::vector<double>& places) {
+        const auto& breaks = curve.knots.breaks();
+        places.push_back(curve.at(0, breaks.front()));
+        double last = places.back(), direction = 0;
+        for (std::size_t s = 0; s + 1 < breaks.size(); ++s)
+            for (int k = 1; k <= kSamplesASpan; ++k) {
+                const double x = curve.at(0, std::lerp(breaks[s], breaks[s + 1], k / double(kSamplesASpan)));
+                if ((x - last) * direction < 0) places.push_back(last);
+                direction = x - last;
+                last = x;
+            }
+        places.push_back(last);
+    }
+
+    void lay_lines_of(std::uint32_t s, double low, double high, const std::vector<double>& places) {
+        const CubicKnots& knots = brep_.horizons.sheets[s].x;
+        const std::size_t first = knots.span(low), last = knots.span(high), spans = last - first + 1;
+        const std::size_t strips = std::min((spans + kSpansAStrip - 1) / kSpansAStrip, kMostStrips);
+        for (std::size_t k = 1; k < strips; ++k) {
+            const std::size_t target = first + k * spans / strips;
+            const double at = knots.breaks()[target];
+            const double span = std::min(knots.breaks()[target + 1] - at, at - knots.breaks()[target - 1]);
+            const double line = clear_line(at, span, places);
+            if (std::isnan(line) || line <= low || line >= high) continue;
+            if (!lines_[s].empty() && !(line > lines_[s].back())) continue;
+            lines_[s].push_back(line);
+            if (std::ranges::find(all_lines_, line) == all_lines_.end()) all_lines_.push_back(line);
+        }
+    }
+
+    // A line of another sheet near a place if there is one, else a new one; none if there is no room.
+    double clear_line(double at, double span, const std::vector<double>& places) const {
+        const auto is_clear = [&](double x, const std::vector<double>& from, double by) {
+            return std::ranges::none_of(from, [&](double p) { return std::abs(p - x) < by * span; });
+        };
+        double best = NAN;
+        for (const double x : all_lines_)
+            if (std::abs(x - at) < 2 * span && is_clear(x, places, kClear) &&
+                !(std::abs(best - at) <= std::abs(x - at)))
+                best = x;
+        if (!std::isnan(best)) return best;
+        for (const double by : {0.0, 0.2, -0.2, 0.4, -0.4, 0.6, -0.6, 0.8, -0.8})
+            if (is_clear(at + by * span, places, kClear) && is_clear(at + by * span, all_lines_, kApart))
+                return at + by * span;
+        return NAN;
+    }
+
+    void split_edges() {
+        const std::size_t count = cells_.edges.size();
+        parts_.resize(count);
+        crossings_.resize(count);
+        for (std::uint32_t e = 0; e < count; ++e) {
+            if (cells_.edges[e].line == kNone) {
+                parts_[e] = {e};
+                continue;
+            }
+            find_crossings(e);
+            split_edge(e);
+        }
+    }
+
+    void find_crossings(std::uint32_t e) {
+        std::vector<double> lines;
+        for (const auto c : cells_.edges[e].cells)
+            lines.insert(lines.end(), lines_[sheet_of(c)].begin(), lines_[sheet_of(c)].end());
+        std::ranges::sort(lines);
+        lines.erase(std::ranges::unique(lines).begin(), lines.end());
+        const auto& curve = brep_.edges[e].curve;
+        const auto& breaks = curve.knots.breaks();
+        for (const double x : lines)
+            for (std::size_t s = 0; s + 1 < breaks.size(); ++s)
+                for (int k = 0; k < kSamplesASpan; ++k) {
+                    const double a = std::lerp(breaks[s], breaks[s + 1], k / double(kSamplesASpan)),
+                                 b = std::lerp(breaks[s], breaks[s + 1], (k + 1) / double(kSamplesASpan));
+                    if ((curve.at(0, a) > x) != (curve.at(0, b) > x))
+                        crossings_[e].push_back({find_root(curve, a, b, x), x});
+                }
+        std::ranges::sort(crossings_[e], {}, &Crossing::t);
+    }
+
+    // The first part keeps the edge's number.
+    void split_edge(std::uint32_t e) {
+        parts_[e] = {e};
+        if (crossings_[e].empty()) return;
+        const SplineCurve whole = brep_.edges[e].curve;
+        const std::uint32_t end = cells_.edges[e].to;
+        double from = whole.knots.low();
+        for (auto& crossing : crossings_[e]) {
+            crossing.corner =
+                add_corner({whole.at(0, crossing.t), whole.at(1, crossing.t), whole.at(2, crossing.t)},
+                           cells_.edges[e].horizon);
+            line_of_[crossing.corner] = crossing.line;
+            end_part(parts_[e].back(), whole, from, crossing.t, crossing.corner);
+            PlanCells::Edge next = cells_.edges[e];
+            next.from = crossing.corner;
+            parts_[e].push_back(add_edge(next, brep_.edges[e]));
+            from = crossing.t;
+        }
+        end_part(parts_[e].back(), whole, from, whole.knots.high(), end);
+    }
+
+    void end_part(std::uint32_t part, const SplineCurve& whole, double from, double to,
+                  std::uint32_t corner) {
+        cells_.edges[part].to = corner;
+        auto& curve = brep_.edges[part].curve;
+        curve = part_of(whole, from, to);
+        const Point3 &a = brep_.corners[cells_.edges[part].from], &b = brep_.corners[corner];
+        auto& c = curve.coefficients;
+        c[0].front() = a.x, c[1].front() = a.y, c[2].front() = a.z;
+        c[0].back() = b.x, c[1].back() = b.y, c[2].back() = b.z;
+    }
+
+    std::uint32_t add_corner(const Point3& at, std::uint32_t horizon) {
+        cells_.corners.push_back({kNone, horizon});
+        brep_.corners.push_back(at);
+        return static_cast<std::uint32_t>(brep_.corners.size() - 1);
+    }
+
+    std::uint32_t add_edge(const PlanCells::Edge& edge, const SmoothBrep::Edge& geometry) {
+        cells_.edges.push_back(edge);
+        brep_.edges.push_back(geometry);
+        return static_cast<std::uint32_t>(cells_.edges.size() - 1);
+    }
+
+    PlanCells::Loop expanded(const PlanCells::Loop& loop) const {
+        PlanCells::Loop result;
+        for (const auto& use : loop) {
+            const auto& parts = parts_[use.edge];
+            for (std::size_t i = 0; i < parts.size(); ++i)
+                result.push_back({use.forward ? parts[i] : parts[parts.size() - 1 - i], use.forward});
+        }
+        return result;
+    }
+
+    std::uint32_t start_of(const PlanCells::EdgeUse& use) const {
+        return use.forward ? cells_.edges[use.edge].from : cells_.edges[use.edge].to;
+    }
+    std::uint32_t end_of(const PlanCells::EdgeUse& use) const {
+        return use.forward ? cells_.edges[use.edge].to : cells_.edges[use.edge].from;
+    }
+
+    struct Part {
+        PlanCells::EdgeUse use;
+        std::size_t strip;
+        std::size_t next = 0;  // along the boundary; of ends on a line: found by the corner
+        bool is_walked = false;
+    };
+
+    std::size_t strip_of(const PlanCells::EdgeUse& use, const std::vector<double>& lines) const {
+        const auto& curve = brep_.edges[use.edge].curve;
+        const double x = curve.at(0, (curve.knots.low() + curve.knots.high()) / 2);
+        return static_cast<std::size_t>(std::ranges::lower_bound(lines, x) - lines.begin());
+    }
+
+    void split_cell(std::uint32_t c) {
+        const auto& lines = lines_[sheet_of(c)];
+        std::map<std::uint32_t, double> on_line;  // corners of this cell's outline
+        for (const auto& loop : cells_.cells[c].loops)
+            for (const auto& use : loop)
+                for (const double x : lines)
+                    if (is_crossing(end_of(use), x)) on_line[end_of(use)] = x;
+        if (on_line.empty()) return;
+        std::vector<Part> parts;
+        for (const auto& loop : cells_.cells[c].loops) {
+            const std::size_t first = parts.size();
+            for (std::size_t i = 0; i < loop.size(); ++i)
+                parts.push_back({loop[i], strip_of(loop[i], lines), first + (i + 1) % loop.size()});
+        }
+        add_cuts(c, on_line, lines, parts);
+        join(c, parts, on_line);
+    }
+
+    bool is_crossing(std::uint32_t corner, double line) const {
+        const auto it = line_of_.find(corner);
+        return it != line_of_.end() && it->second == line;
+    }
+
+    void add_cuts(std::uint32_t c, const std::map<std::uint32_t, double>& on_line,
+                  const std::vector<double>& lines, std::vector<Part>& parts) {
+        for (std::size_t k = 0; k < lines.size(); ++k) {
+            std::vector<std::uint32_t> corners;
+            for (const auto& [corner, line] : on_line)
+                if (line == lines[k]) corners.push_back(corner);
+            std::ranges::sort(corners, {}, [&](std::uint32_t i) { return brep_.corners[i].y; });
+            for (std::size_t i = 0; i + 1 < corners.size(); i += 2) {
+                const std::uint32_t e = add_cut(c, lines[k], corners[i], corners[i + 1]);
+                parts.push_back({{e, true}, k});
+                parts.push_back({{e, false}, k + 1});
+            }
+        }
+    }
+
+    // From the lower y to the higher.
+    std::uint32_t add_cut(std::uint32_t c, double x, std::uint32_t from, std::uint32_t to) {
+        const HeightPatch& sheet = brep_.sheet(c);
+        const Point3 &a = brep_.corners[from], &b = brep_.corners[to];
+        std::vector<double> breaks{a.y};
+        const double least = kSameBreak * (sheet.y.high() - sheet.y.low());
+        for (const double y : sheet.y.breaks())
+            if (y > a.y + least && y < b.y - least) breaks.push_back(y);
+        breaks.push_back(b.y);
+        SmoothBrep::Edge geometry;
+        auto& curve = geometry.curve = {CubicKnots(breaks), {}};
+        curve.coefficients = {std::vector<double>(curve.knots.functions(), x), curve.knots.greville(),
+                              interpolate_spline(curve.knots, [&](double y) {
+                                  return sheet.z({x, y});
+                              })};
+        curve.coefficients[2].front() = a.z;
+        curve.coefficients[2].back() = b.z;
+        cells_.lines.push_back({});
+        return add_edge({.line = static_cast<std::uint32_t>(cells_.lines.size() - 1),
+                         .horizon = cells_.cells[c].horizon,
+                         .from = from,
+                         .to = to,
+                         .cells = {c}},
+                        geometry);
+    }
+
+    void join(std::uint32_t c, std::vector<Part>& parts, const std::map<std::uint32_t, double>& on_line) {
+        std::map<std::pair<std::size_t, std::uint32_t>, std::size_t> from_line;  // strip and corner
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            if (on_line.contains(start_of(parts[i].use)))
+                from_line[{parts[i].strip, start_of(parts[i].use)}] = i;
+        std::vector<std::pair<std::size_t, PlanCells::Loop>> loops;  // by strip
+        for (std::size_t first = 0; first < parts.size(); ++first) {
+            if (parts[first].is_walked) continue;
+            loops.push_back({parts[first].strip, {}});
+            std::size_t i = first;
+            while (!parts[i].is_walked) {
+                parts[i].is_walked = true;
+                loops.back().second.push_back(parts[i].use);
+                const std::uint32_t corner = end_of(parts[i].use);
+                i = on_line.contains(corner) ? from_line.at({parts[i].strip, corner}) : parts[i].next;
+            }
+        }
+        share_out(c, loops);
+    }
+
+    using Ring = std::vector<Point2>;
+
+    Ring ring_of(const PlanCells::Loop& loop) const {
+        Ring ring;
+        for (const auto& use : loop) {
+            const auto& curve = brep_.edges[use.edge].curve;
+            const auto& breaks = curve.knots.breaks();
+            const std::size_t n = 2 * (breaks.size() - 1);
+            for (std::size_t i = 0; i < n; ++i) {
+                const std::size_t k = use.forward ? i : n - i;
+                const double t =
+                    k == n ? breaks.back() : std::lerp(breaks[k / 2], breaks[k / 2 + 1], k % 2 / 2.0);
+                ring.push_back({curve.at(0, t), curve.at(1, t)});
+            }
+        }
+        return ring;
+    }
+
+    static double area_of(const Ring& ring) {
+        double sum = 0;
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Point2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+            sum += (a.x - ring[0].x) * (b.y - ring[0].y) - (b.x - ring[0].x) * (a.y - ring[0].y);
+        }
+        return sum / 2;
+    }
+
+    static bool contains(const Ring& ring, const Point2& p) {
+        bool inside = false;
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Point2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+            if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
+                inside = !inside;
+        }
+        return inside;
+    }
+
+    // A cell for each outer loop, with the holes inside it.
+    void share_out(std::uint32_t c, const std::vector<std::pair<std::size_t, PlanCells::Loop>>& loops) {
+        std::vector<Ring> rings;
+        for (const auto& [strip, loop] : loops) rings.push_back(ring_of(loop));
+        std::map<std::size_t, std::uint32_t> cell_of;  // by outer loop
+        for (std::size_t i = 0; i < loops.size(); ++i)
+            if (area_of(rings[i]) > 0) cell_of[i] = cell_of.empty() ? first_part(c) : further_part(c);
+        for (std::size_t i = 0; i < loops.size(); ++i) {
+            std::uint32_t owner = kNone;
+            for (const auto& [outer, cell] : cell_of)
+                if (outer == i || (!cell_of.contains(i) && loops[outer].first == loops[i].first &&
+                                   contains(rings[outer], rings[i][0])))
+                    owner = cell;
+            if (owner != kNone) cells_.cells[owner].loops.push_back(loops[i].second);
+        }
+    }
+
+    std::uint32_t first_part(std::uint32_t c) {
+        cells_.cells[c].loops.clear();
+        return c;
+    }
+
+    std::uint32_t further_part(std::uint32_t c) {
+        const auto id = static_cast<std::uint32_t>(cells_.cells.size());
+        PlanCells::Cell part = cells_.cells[c];
+        part.loops.clear();
+        part.faces.clear();
+        if (part.body_above != kNone) cells_.bodies[part.body_above].base.push_back(id);
+        if (part.body_below != kNone) cells_.bodies[part.body_below].top.push_back(id);
+        cells_.cells.push_back(std::move(part));
+        brep_.horizons.of_cell.push_back(brep_.horizons.of_cell[c]);
+        return id;
+    }
+
+    SmoothBrep& brep_;
+    PlanCells& cells_;
+    const std::vector<char>& is_cut_;         // [sheet]
+    std::vector<std::vector<double>> lines_;  // [sheet] ascending
+    std::vector<double> all_lines_;
+    std::vector<std::vector<Crossing>> crossings_;   // [edge]
+    std::vector<std::vector<std::uint32_t>> parts_;  // [edge] in its direction
+    std::map<std::uint32_t, double> line_of_;        // of corners on lines
+};
+
+}  // namespace
+
+void cut_into_strips(SmoothBrep& brep, const std::vector<char>& sheets) {
+    Cutter(brep, sheets).cut();
+    measure_edges(brep);
+}
+
+}  // namespace stratareeb
