@@ -20,6 +20,7 @@ namespace {
 
 constexpr double kIntegrationShare =
     0.2;  // of the volume that a body may be off, for how CAD programs integrate
+constexpr std::size_t kSpansAStrip[] = {14, 7, 4};
 
 class Maker {
  public:
@@ -28,8 +29,10 @@ class Maker {
 
     SmoothBodies make() {
         examine_all();
-        if (const auto sheets = badly_integrated(); std::ranges::count(sheets, 1) > 0) {
-            cut_into_strips(brep_, sheets);
+        for (const std::size_t spans : kSpansAStrip) {
+            const auto sheets = badly_integrated();
+            if (std::ranges::count(sheets, 1) == 0) break;
+            cut_into_strips(brep_, sheets, spans);
             examine_all();
         }
         SmoothBodies result;

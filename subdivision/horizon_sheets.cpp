@@ -21,7 +21,7 @@ constexpr double kGroundShare =
     0.5;                            // of the functions that a sheet may have; the lowest horizon may have all
 constexpr double kMuchOfTop = 0.3;  // of a body's area: the sheets above that much of it lend it their spans
 constexpr std::size_t kFewFunctions = 200;
-constexpr double kHoleTolerance = 0.25;  // of the tolerance elsewhere, at boreholes
+constexpr double kHoleTolerance = 0.5;  // of the tolerance elsewhere, at boreholes
 constexpr int kVolumeRounds = 3;
 constexpr double kVolumeOff = 2e-4;   // what a body's volume may be off without being corrected
 constexpr double kMostShrunk = 0.3;   // of the thickness, by a correction
@@ -193,7 +193,7 @@ class Fitter {
         fit_sheet(b + 1, base.samples, body.faces, above,
                   std::lerp(kGroundShare, 1, (body.layer + 1.0) / static_cast<double>(model_.units.size())));
         for (int round = 0; round < kVolumeRounds; ++round) {
-            const double missing = base.volume - volume_over(b, base);
+            const double missing = base.volume - volume_over(body, b + 1);
             if (std::abs(missing) <= kVolumeOff * base.volume) break;
             for (std::size_t i = 0; i < base.thick.size(); ++i)
                 base.samples.inside[i].z -= std::max(missing / base.volume, -kMostShrunk) * base.thick[i];
@@ -238,12 +238,13 @@ class Fitter {
         return base;
     }
 
-    double volume_over(std::uint32_t b, const BaseSamples& base) const {
+    // Between the sheets, over the body's part of the plan.
+    double volume_over(const PlanCells::Body& body, std::uint32_t base) const {
         double volume = 0;
-        for (std::size_t i = 0; i < base.thick.size(); ++i) {
-            const auto& s = base.samples.inside[i];
-            volume += s.weight * (base.top[i] - result_.sheets[b + 1].z(s.at));
-        }
+        for (const auto c : body.top)
+            for (const auto f : cells_.cells[c].faces)
+                volume += area(f) * (mean_height(plan_, f, result_.sheets[result_.of_cell[c]]) -
+                                     mean_height(plan_, f, result_.sheets[base]));
         return volume;
     }
 
@@ -316,6 +317,22 @@ class Fitter {
 };
 
 }  // namespace
+
+double mean_height(const TriMesh& plan, std::uint32_t face, const HeightPatch& sheet) {
+    std::array<Point2, 3> p;
+    std::size_t n = 0;
+    for (const auto v : plan.fv_range(plan.face_handle(face))) p[n++] = {plan.point(v)[0], plan.point(v)[1]};
+    double sum = 0;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; i + j < 3; ++j)
+            for (const int third : {1, 2}) {
+                const double a = (i + third / 3.0) / 3, b = (j + third / 3.0) / 3;
+                if (a + b > 1) continue;
+                sum += sheet.z({p[0].x + a * (p[1].x - p[0].x) + b * (p[2].x - p[0].x),
+                                p[0].y + a * (p[1].y - p[0].y) + b * (p[2].y - p[0].y)});
+            }
+    return sum / 9;
+}
 
 HorizonSheets fit_horizon_sheets(const LayerModel& model, const PlanCells& cells, const PlanCurves& curves,
                                  double size, const HorizonSheetsOptions& options) {

@@ -33,4 +33,7 @@ struct HorizonSheets {
 HorizonSheets fit_horizon_sheets(const LayerModel& model, const PlanCells& cells, const PlanCurves& curves,
                                  double size, const HorizonSheetsOptions& options = {});
 
+//! Of a sheet over a triangle of the plan: its mean at the centres of nine equal parts.
+double mean_height(const TriMesh& plan, std::uint32_t face, const HeightPatch& sheet);
+
 }  // namespace stratareeb

@@ -4,8 +4,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "mesh/compensated_sum.h"
@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::uint32_t kNone = PlanCells::kNone;
 constexpr double kEdgeTolerance = 2e-7;  // of the size: curve from the height it follows
+constexpr double kLeastGap = 1e-6;       // of the size: between edges of a wall
 constexpr double kEdgeSpan = 1.5;        // of the patches' spans around it
 constexpr int kSamplesASpan = 10;        // of an edge, for its tolerance
 constexpr std::size_t kMostEdgeSpans = 1500;
@@ -36,6 +37,7 @@ class Builder {
         brep_.sides = curves_.sides;
         draw_edges();
         place_corners();
+        order_edges_on_rim();
         measure_bodies();
         measure_edges(brep_);
         return std::move(brep_);
@@ -159,6 +161,44 @@ class Builder {
         each_end([&](std::uint32_t corner, double, double, double& z) { z = brep_.corners[corner].z; });
     }
 
+    // On a wall, top and base of a thin layer must not cross on their way to where it ends, by however little: with the same
+    // knots, curves are in order where their coefficients are.
+    void order_edges_on_rim() {
+        std::vector<std::vector<std::uint32_t>> stacks(brep_.cells.lines.size());
+        for (std::uint32_t e = 0; e < brep_.edges.size(); ++e) {
+            const std::uint32_t line = brep_.cells.edges[e].line;
+            if (line != kNone && brep_.cells.lines[line].side != kNone) stacks[line].push_back(e);
+        }
+        for (auto& stack : stacks) {
+            std::ranges::sort(stack, {}, [&](std::uint32_t e) { return brep_.cells.edges[e].horizon; });
+            if (stack.size() > 1) order_edges(stack);
+        }
+    }
+
+    void order_edges(const std::vector<std::uint32_t>& stack) {
+        std::vector<double> breaks;
+        for (const auto e : stack) {
+            std::vector<double> both;
+            std::ranges::set_union(breaks, brep_.edges[e].curve.knots.breaks(), std::back_inserter(both));
+            breaks = std::move(both);
+        }
+        const CubicKnots knots(breaks);
+        for (const auto e : stack) {
+            SplineCurve& curve = brep_.edges[e].curve;
+            SplineCurve same{knots, {}};
+            for (std::size_t k = 0; k < 3; ++k)
+                same.coefficients.push_back(
+                    interpolate_spline(knots, [&](double t) { return curve.at(k, t); }));
+            curve = std::move(same);
+        }
+        for (std::size_t i = 1; i < stack.size(); ++i) {
+            const auto& upper = brep_.edges[stack[i - 1]].curve.coefficients[2];
+            auto& lower = brep_.edges[stack[i]].curve.coefficients[2];
+            for (std::size_t k = 1; k + 1 < lower.size(); ++k)
+                lower[k] = std::min(lower[k], upper[k] - kLeastGap * brep_.size);
+        }
+    }
+
     void measure_bodies() {
         for (std::size_t b = 0; b < bodies().size(); ++b) {
             const auto& body = bodies()[b];
@@ -184,25 +224,9 @@ class Builder {
         for (const auto* faces : {&body.top, &body.base})
             for (const auto c : *faces)
                 for (const auto f : cells()[c].faces)
-                    volume.add((faces == &body.top ? 1 : -1) * area(f) * mean_height(f, brep_.sheet(c)));
+                    volume.add((faces == &body.top ? 1 : -1) * area(f) *
+                               mean_height(plan_, f, brep_.sheet(c)));
         return volume.value();
-    }
-
-    // At the centres of the nine parts of a triangle.
-    double mean_height(std::uint32_t face, const HeightPatch& sheet) const {
-        std::array<Point2, 3> p;
-        std::size_t n = 0;
-        each_corner(face, [&](std::uint32_t v) { p[n++] = point(v); });
-        double sum = 0;
-        for (int i = 0; i < 3; ++i)
-            for (int j = 0; i + j < 3; ++j)
-                for (const int third : {1, 2}) {
-                    const double a = (i + third / 3.0) / 3, b = (j + third / 3.0) / 3;
-                    if (a + b > 1) continue;
-                    sum += sheet.z({p[0].x + a * (p[1].x - p[0].x) + b * (p[2].x - p[0].x),
-                                    p[0].y + a * (p[1].y - p[0].y) + b * (p[2].y - p[0].y)});
-                }
-        return sum / 9;
     }
 
     const LayerModel& model_;

@@ -11,6 +11,7 @@ namespace {
 constexpr std::uint32_t kNone = PlanCells::kNone;
 constexpr int kSteps = 12;
 constexpr double kReach = 0.25;  // of a line's edge: how far its vertices may move
+constexpr double kFreeFrom = 4;  // vertices from an end: those before move less
 constexpr double kClose = 1e-5;  // of the size: what sheets may be apart without harm
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;  // sheets that are to be equal
@@ -30,8 +31,6 @@ class Snapper {
         gather_pairs();
         for (std::uint32_t l = 0; l < cells_.lines.size(); ++l)
             if (cells_.lines[l].side == kNone) snap_line(l);
-        for (const auto& [v, pairs] : at_end_)
-            if (!on_rim_.contains(v)) snap_node(v, pairs);
         for (std::uint32_t l = 0; l < cells_.lines.size(); ++l)
             if (cells_.lines[l].side != kNone) snap_rim_ends(l);
         return std::move(moves_);
@@ -59,7 +58,6 @@ class Snapper {
                 const double next = first_step(line.vertices, v);
                 const auto [it, fresh] = reach_.try_emplace(v, next);
                 if (!fresh) it->second = std::min(it->second, next);
-                if (line.side != kNone) on_rim_.insert(v);
             }
         }
     }
@@ -76,51 +74,34 @@ class Snapper {
         return sum;
     }
 
-    // A Gauss-Newton step from p in the directions given (one or two, of unit length).
-    // Damped so that lines stay where going as far as they may would not change much.
-    Point2 step(const Pairs& pairs, const Point2& p, const std::vector<Point2>& directions,
-                double reach) const {
-        double A[2][2] = {{0, 0}, {0, 0}}, b[2] = {0, 0};
-        const std::size_t n = directions.size();
+    // A Gauss-Newton step from p in a direction of unit length, damped so that lines stay where going as far as they may would
+    // not change much.
+    double step(const Pairs& pairs, const Point2& p, const Point2& direction, double reach) const {
+        double A = std::pow(kClose * size_ / reach, 2), b = 0;
         for (const auto& [above, below] : pairs) {
             const double off = sheets_.sheets[above].z(p) - sheets_.sheets[below].z(p);
             const Point2 g = sheets_.sheets[above].gradient(p), h = sheets_.sheets[below].gradient(p);
-            double slope[2] = {0, 0};
-            for (std::size_t i = 0; i < n; ++i)
-                slope[i] = (g.x - h.x) * directions[i].x + (g.y - h.y) * directions[i].y;
-            for (std::size_t i = 0; i < n; ++i) {
-                b[i] -= off * slope[i];
-                for (std::size_t j = 0; j < n; ++j) A[i][j] += slope[i] * slope[j];
-            }
+            const double slope = (g.x - h.x) * direction.x + (g.y - h.y) * direction.y;
+            b -= off * slope;
+            A += slope * slope;
         }
-        const double damping = std::pow(kClose * size_ / reach, 2);
-        A[0][0] += damping, A[1][1] += damping;
-        if (n == 1) return {b[0] / A[0][0] * directions[0].x, b[0] / A[0][0] * directions[0].y};
-        const double det = A[0][0] * A[1][1] - A[0][1] * A[1][0];
-        const double s = (b[0] * A[1][1] - b[1] * A[0][1]) / det, t = (b[1] * A[0][0] - b[0] * A[1][0]) / det;
-        return {s * directions[0].x + t * directions[1].x, s * directions[0].y + t * directions[1].y};
+        return b / A;
     }
 
-    // The place near p where sheets are closest; p itself if that is out of reach.
-    Point2 closest(const Pairs& pairs, const Point2& p, const std::vector<Point2>& directions,
-                   double reach) const {
-        Point2 at = p;
-        double best = square(pairs, p);
+    // The place near p where sheets are closest, no further away than it may be.
+    Point2 closest(const Pairs& pairs, const Point2& p, const Point2& direction, double reach) const {
+        double moved = 0, best = square(pairs, p);
         for (int i = 0; i < kSteps && best > 0; ++i) {
-            Point2 d = step(pairs, at, directions, reach);
-            Point2 next = at;
-            double here = best;
-            for (int half = 0; half < 4; ++half, d.x /= 2, d.y /= 2) {
-                next = {at.x + d.x, at.y + d.y};
-                if (std::hypot(next.x - p.x, next.y - p.y) > reach) continue;
-                here = square(pairs, next);
-                if (here < best) break;
-            }
+            const Point2 at{p.x + moved * direction.x, p.y + moved * direction.y};
+            double by = step(pairs, at, direction, reach), here = best;
+            for (int half = 0; half < 4 && !(here < best); ++half, by /= 2)
+                if (std::abs(moved + by) <= reach)
+                    here = square(pairs, {at.x + by * direction.x, at.y + by * direction.y});
             if (!(here < best)) break;
             best = here;
-            at = next;
+            moved += 2 * by;  // halved once more after the step that was taken
         }
-        return at;
+        return {p.x + moved * direction.x, p.y + moved * direction.y};
     }
 
     void snap_line(std::uint32_t l) {
@@ -131,13 +112,10 @@ class Snapper {
             const Point2 way{after.x - before.x, after.y - before.y};
             const double n = length(way);
             if (!(n > 0)) continue;
-            moves_.inner[line[i]] = closest(along_[l], here, {{-way.y / n, way.x / n}}, kReach * n / 2);
+            const double from_end = static_cast<double>(std::min(i, line.size() - 1 - i));
+            const double reach = kReach * std::min(1.0, from_end / kFreeFrom) * n / 2;
+            moves_.inner[line[i]] = closest(along_[l], here, {-way.y / n, way.x / n}, reach);
         }
-    }
-
-    void snap_node(std::uint32_t v, const Pairs& pairs) {
-        if (!pairs.empty())
-            moves_.inner[v] = closest(pairs, vertex(v), {{1, 0}, {0, 1}}, kReach * reach_.at(v));
     }
 
     // Ends of lines within a side; its own ends stay.
@@ -154,7 +132,7 @@ class Snapper {
             const double n = length(way);
             way = {way.x / n, way.y / n};
             const double reach = kReach * reach_on_rim(l, at_front);
-            const Point2 q = closest(at_end_.at(v), p, {way}, reach);
+            const Point2 q = closest(at_end_.at(v), p, way, reach);
             moves_.on_side[{line.side, v}] =
                 curve.side_start + t + ((q.x - p.x) * way.x + (q.y - p.y) * way.y) / n;
         }
@@ -174,7 +152,6 @@ class Snapper {
     std::vector<Pairs> along_;               // [line]
     std::map<std::uint32_t, Pairs> at_end_;  // by vertex, of all lines that end there
     std::map<std::uint32_t, double> reach_;  // by vertex
-    std::set<std::uint32_t> on_rim_;
 };
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace stratareeb {
 
 //! Where the lines of the plan's cells would have to run for the sheets that meet there to be equal: each vertex of a line,
-//! moved across it (ends in any direction, ends on the rim along it) to where the base of the body that ends there meets the
+//! moved across it (ends on the rim along it; other ends stay) to where the base of the body that ends there meets the
 //! sheet above, by damped Gauss-Newton steps. They move by no more than a
 //! quarter of the way to the next vertex.
 LineMoves snapped_lines(const TriMesh& plan, const PlanCells& cells, const PlanCurves& curves,

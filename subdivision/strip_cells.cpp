@@ -9,8 +9,7 @@ namespace stratareeb {
 namespace {
 
 constexpr std::uint32_t kNone = PlanCells::kNone;
-constexpr std::size_t kSpansAStrip = 14;
-constexpr std::size_t kMostStrips = 12;  // of a sheet
+constexpr std::size_t kMostStrips = 22;  // of a sheet
 constexpr double kClear = 0.08;          // of a span: how far a line stays from corners and turns of edges
 constexpr double kApart = 0.3;           // of a span: how far from lines of other sheets
 constexpr int kSamplesASpan = 8;
@@ -46,8 +45,8 @@ SplineCurve part_of(const SplineCurve& curve, double from, double to) {
 
 class Cutter {
  public:
-    Cutter(SmoothBrep& brep, const std::vector<char>& sheets)
-        : brep_(brep), cells_(brep.cells), is_cut_(sheets) {}
+    Cutter(SmoothBrep& brep, const std::vector<char>& sheets, std::size_t spans)
+        : brep_(brep), cells_(brep.cells), is_cut_(sheets), spans_(spans) {}
 
     void cut() {
         lay_lines();
@@ -100,7 +99,7 @@ class Cutter {
     void lay_lines_of(std::uint32_t s, double low, double high, const std::vector<double>& places) {
         const CubicKnots& knots = brep_.horizons.sheets[s].x;
         const std::size_t first = knots.span(low), last = knots.span(high), spans = last - first + 1;
-        const std::size_t strips = std::min((spans + kSpansAStrip - 1) / kSpansAStrip, kMostStrips);
+        const std::size_t strips = std::min((spans + spans_ - 1) / spans_, kMostStrips);
         for (std::size_t k = 1; k < strips; ++k) {
             const std::size_t target = first + k * spans / strips;
             const double at = knots.breaks()[target];
@@ -394,7 +393,8 @@ class Cutter {
 
     SmoothBrep& brep_;
     PlanCells& cells_;
-    const std::vector<char>& is_cut_;         // [sheet]
+    const std::vector<char>& is_cut_;  // [sheet]
+    std::size_t spans_;
     std::vector<std::vector<double>> lines_;  // [sheet] ascending
     std::vector<double> all_lines_;
     std::vector<std::vector<Crossing>> crossings_;   // [edge]
@@ -404,8 +404,8 @@ class Cutter {
 
 }  // namespace
 
-void cut_into_strips(SmoothBrep& brep, const std::vector<char>& sheets) {
-    Cutter(brep, sheets).cut();
+void cut_into_strips(SmoothBrep& brep, const std::vector<char>& sheets, std::size_t spans) {
+    Cutter(brep, sheets, spans).cut();
     measure_edges(brep);
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "subdivision/smooth_brep.h"
 
 namespace stratareeb {
@@ -9,6 +12,7 @@ namespace stratareeb {
 //! integrate a volume face by face with a fixed number of points from side to side (OpenCASCADE: 61), too few for a
 //! hundred spans. Strips of a sheet meet in curves of it, exactly.
 //! \param sheets [sheet] whose faces are to be cut
-void cut_into_strips(SmoothBrep& brep, const std::vector<char>& sheets);
+//! \param spans of a strip
+void cut_into_strips(SmoothBrep& brep, const std::vector<char>& sheets, std::size_t spans = 14);
 
 }  // namespace stratareeb
