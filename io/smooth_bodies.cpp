@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "boreholes/errors.h"
 #include "io/faceted_bodies.h"
@@ -29,6 +30,7 @@ class Maker {
 
     SmoothBodies make() {
         examine_all();
+        hold_lines();
         for (const std::size_t spans : kSpansAStrip) {
             const auto sheets = badly_integrated();
             if (std::ranges::count(sheets, 1) == 0) break;
@@ -60,9 +62,23 @@ class Maker {
     }
 
  private:
+    // Lines that were moved may touch where many meet closely: then they stay where the model has them, if that is better.
+    void hold_lines() {
+        const auto before = std::ranges::count(is_valid_, 0);
+        if (before == 0) return;
+        SmoothBrepOptions steady = options_.fit;
+        steady.snap_lines = false;
+        SmoothBrep moved = std::exchange(brep_, rebuild_smooth_brep(model_, brep_.horizons, steady));
+        examine_all();
+        if (std::ranges::count(is_valid_, 0) < before) return;
+        brep_ = std::move(moved);
+        examine_all();
+    }
+
     void examine_all() {
         shapes_ = smooth_shapes(brep_);
         faults_.assign(shapes_.size(), {});
+        is_valid_.assign(shapes_.size(), 1);
         volumes_.assign(shapes_.size(), 0);
         tbb::parallel_for(std::size_t{0}, shapes_.size(), [&](std::size_t b) { examine(b, *shapes_[b]); });
     }
@@ -85,8 +101,10 @@ class Maker {
         faults_[b] = fault_of(quality);
         try {
             volumes_[b] = cad_volume(shape);
-            if (faults_[b].empty() && !BRepCheck_Analyzer(shape).IsValid())
+            if (faults_[b].empty() && !BRepCheck_Analyzer(shape).IsValid()) {
                 faults_[b] = "smooth faces make no valid solid of it";
+                is_valid_[b] = 0;
+            }
         } catch (const Standard_Failure& e) {
             faults_[b] = fmt::format("OpenCASCADE can't check its smooth faces ({})", e.GetMessageString());
         }
@@ -127,6 +145,7 @@ class Maker {
     const SmoothBodiesOptions& options_;
     SmoothBrep brep_;
     std::vector<std::shared_ptr<const TopoDS_Shape>> shapes_;  // [body]
+    std::vector<char> is_valid_;                               // [body]
     std::vector<std::string> faults_;                          // [body]; empty = sound
     std::vector<double> volumes_;
 };

@@ -14,7 +14,7 @@ namespace stratareeb {
 struct SmoothBodiesOptions {
     SmoothBrepOptions fit;
     double volume_tolerance = 2e-3;  // share by which a body's volume may differ from its triangles'
-    double most_edge_off = 5e-4;     // share of the size by which faces may miss the edge that they meet in
+    double most_edge_off = 1e-3;     // share of the size by which faces may miss the edge that they meet in
     double most_off = 5e-3;          // share of the size that a face may be off the model's vertices
 };
 

