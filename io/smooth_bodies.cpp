@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kIntegrationShare =
     0.2;  // of the volume that a body may be off, for how CAD programs integrate
-constexpr std::size_t kSpansAStrip[] = {14, 7, 4};
+constexpr std::size_t kSpansAStrip[] = {14, 7};
 
 class Maker {
  public:

@@ -35,6 +35,7 @@ struct SmoothBrep {
     std::vector<Point3> corners;  // [cells.corners]
     std::vector<Edge> edges;      // [cells.edges]
     HorizonSheets horizons;
+    std::vector<std::vector<double>> cuts;  // [horizons.sheets] x of lines along which its faces were cut
     std::vector<SideCurve> sides;      // [cells.sides]
     std::vector<BodyQuality> quality;  // [cells.bodies]
     double size = 0;                   // diagonal of the model's box

@@ -9,7 +9,7 @@ namespace stratareeb {
 namespace {
 
 constexpr std::uint32_t kNone = PlanCells::kNone;
-constexpr std::size_t kMostStrips = 22;  // of a sheet
+constexpr std::size_t kMostStrips = 16;  // of a sheet
 constexpr double kClear = 0.08;          // of a span: how far a line stays from corners and turns of edges
 constexpr double kApart = 0.3;           // of a span: how far from lines of other sheets
 constexpr int kSamplesASpan = 8;
@@ -51,6 +51,8 @@ class Cutter {
     void cut() {
         lay_lines();
         split_edges();
+        for (std::size_t s = 0; s < lines_.size(); ++s)
+            brep_.cuts[s].insert(brep_.cuts[s].end(), lines_[s].begin(), lines_[s].end());
         const std::size_t cells = cells_.cells.size();
         for (auto& cell : cells_.cells)
             for (auto& loop : cell.loops) loop = expanded(loop);
@@ -66,6 +68,8 @@ class Cutter {
     void lay_lines() {
         const std::size_t sheets = brep_.horizons.sheets.size();
         lines_.resize(sheets);
+        brep_.cuts.resize(sheets);
+        for (const auto& cuts : brep_.cuts) all_lines_.insert(all_lines_.end(), cuts.begin(), cuts.end());
         std::vector<std::vector<double>> places(
             sheets);  // where lines must not be: corners and turns of edges
         std::vector<double> low(sheets, INFINITY), high(sheets, -INFINITY);
@@ -103,10 +107,16 @@ class Cutter {
         for (std::size_t k = 1; k < strips; ++k) {
             const std::size_t target = first + k * spans / strips;
             const double at = knots.breaks()[target];
+            const double half = (knots.breaks()[std::min(target + spans_ / 2, knots.spans())] -
+                                 knots.breaks()[target - std::min(target, spans_ / 2)]) /
+                                2;
+            if (std::ranges::any_of(brep_.cuts[s], [&](double x) { return std::abs(x - at) < half; }))
+                continue;
             const double span = std::min(knots.breaks()[target + 1] - at, at - knots.breaks()[target - 1]);
             const double line = clear_line(at, span, places);
             if (std::isnan(line) || line <= low || line >= high) continue;
             if (!lines_[s].empty() && !(line > lines_[s].back())) continue;
+            if (std::ranges::find(brep_.cuts[s], line) != brep_.cuts[s].end()) continue;
             lines_[s].push_back(line);
             if (std::ranges::find(all_lines_, line) == all_lines_.end()) all_lines_.push_back(line);
         }

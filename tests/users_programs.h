@@ -69,7 +69,7 @@ struct FreeCadSolid {
     std::string label, shape_type;
     bool valid = false, closed = false;
     double volume_mm3 = 0;
-    std::size_t solids = 0;
+    std::size_t solids = 0, faces = 0;
 };
 
 constexpr const char* kFreeCadScript = R"(
@@ -80,7 +80,7 @@ for part in FreeCAD.ActiveDocument.Objects:
     if part.TypeId == "Part::Feature":
         shape = part.Shape
         print("\nPART " + json.dumps({"label": part.Label, "type": shape.ShapeType, "valid": shape.isValid(),
-              "closed": shape.isClosed(), "volume": shape.Volume, "solids": len(shape.Solids)}))
+              "closed": shape.isClosed(), "volume": shape.Volume, "solids": len(shape.Solids), "faces": len(shape.Faces)}))
 )";
 
 inline std::vector<FreeCadSolid> open_in_freecad(const fs::path& step, const fs::path& folder) {
@@ -95,8 +95,8 @@ inline std::vector<FreeCadSolid> open_in_freecad(const fs::path& step, const fs:
     for (std::string line; std::getline(lines, line);) {
         if (!line.starts_with("PART ")) continue;
         const auto part = nlohmann::json::parse(line.substr(5));
-        solids.push_back(
-            {part["label"], part["type"], part["valid"], part["closed"], part["volume"], part["solids"]});
+        solids.push_back({part["label"], part["type"], part["valid"], part["closed"], part["volume"],
+                          part["solids"], part["faces"]});
     }
     EXPECT_FALSE(solids.empty()) << outcome.output;
     return solids;

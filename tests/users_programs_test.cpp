@@ -169,6 +169,25 @@ void expect_freecad_agrees(const BoreholeSet& set, const std::string& unit) {
     }
 }
 
+// Smooth solids: what `build` promises of them, seen by FreeCAD.
+void expect_freecad_agrees_on_smooth(const BoreholeSet& set, const std::string& unit) {
+    SCOPED_TRACE(set.name);
+    const TemporaryFolder folder(std::string("freecad_smooth_") + set.name);
+    const auto model = build(set, "step --step smooth", folder.path());
+    ASSERT_TRUE(model.contains("units"));
+    for (const auto& warning : model["warnings"])
+        EXPECT_EQ(warning.get<std::string>().find("is made of facets"), std::string::npos) << warning;
+    const auto solids = test::open_in_freecad(folder.path() / "model" / "model.step", folder.path());
+    for (const auto& solid : solids) EXPECT_LE(solid.faces, 60u) << solid.label;
+    auto bodies = bodies_of(solids);
+    for (const auto& layer : model["units"]) {
+        const auto found = bodies[layer["name"]];
+        EXPECT_EQ(found.count, layer["components"].get<std::size_t>()) << layer["name"];
+        const double expected = layer["volume"].get<double>() * std::pow(millimetres(unit), 3);
+        EXPECT_NEAR(found.volume_mm3, expected, 2e-3 * expected) << layer["name"];
+    }
+}
+
 // MeshLab keeps coordinates in float and prints six decimals: the volume of a thin layer is what that leaves of it.
 void expect_meshlab_agrees(const BoreholeSet& set) {
     SCOPED_TRACE(set.name);
@@ -191,6 +210,11 @@ void expect_meshlab_agrees(const BoreholeSet& set) {
 TEST(UsersPrograms, freecad_agrees_with_build_on_the_shipped_boreholes) {
     REQUIRE_FREECAD();
     for (const auto& set : kShipped) expect_freecad_agrees(set, "m");
+}
+
+TEST(UsersPrograms, freecad_opens_smooth_solids_of_the_shipped_boreholes) {
+    REQUIRE_FREECAD();
+    expect_freecad_agrees_on_smooth({"thesis_sample3", "examples/thesis_sample3.csv --refine 1"}, "m");
 }
 
 TEST(UsersPrograms, meshlab_agrees_with_build_on_the_shipped_boreholes) {
