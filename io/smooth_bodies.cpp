@@ -48,6 +48,10 @@ class Maker {
             if (!faults_[b].empty()) {
                 result.notes.push_back(fmt::format("'{}' is made of facets: {}", body.name, faults_[b]));
                 body.solid = facets(b);
+            } else if (brep_.quality[b].off > options_.worth_telling * brep_.size) {
+                result.notes.push_back(fmt::format(
+                    "'{}': its smooth faces are up to {:.3g} off the triangles where these are steepest",
+                    body.name, brep_.quality[b].off));
             }
             result.reports.push_back({.name = body.name,
                                       .smooth = faults_[b].empty(),

@@ -15,7 +15,8 @@ struct SmoothBodiesOptions {
     SmoothBrepOptions fit;
     double volume_tolerance = 2e-3;  // share by which a body's volume may differ from its triangles'
     double most_edge_off = 1e-3;     // share of the size by which faces may miss the edge that they meet in
-    double most_off = 5e-3;          // share of the size that a face may be off the model's vertices
+    double most_off = 2e-2;          // share of the size that a face may be off the model's vertices
+    double worth_telling = 5e-3;     // the same, from which on a note says so
 };
 
 struct SmoothBodyReport {
@@ -31,7 +32,7 @@ struct SmoothBodyReport {
 struct SmoothBodies {
     std::vector<CadBody> bodies;            // layer by layer from the top
     std::vector<SmoothBodyReport> reports;  // [bodies]
-    std::vector<std::string> notes;         // which bodies have facets, and why
+    std::vector<std::string> notes;         // which bodies have facets, and why; which are far off somewhere
 };
 
 //! CAD solids of few smooth faces: top and base one trimmed B-spline face for each neighbour, the same face as
