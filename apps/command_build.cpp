@@ -273,7 +273,7 @@ class Build {
     //! As asked for, or as the tables or the ground's raster state it.
     std::string crs_of(const BoreholeTable& table) {
         const std::string of_ground = terrain_ ? terrain_->crs : "";
-        const std::string crs = reference_name(!arguments_.crs.empty() ? arguments_.crs
+        std::string crs = reference_name(!arguments_.crs.empty() ? arguments_.crs
                                                : !table.crs.empty()    ? table.crs
                                                                        : of_ground);
         if (is_in_degrees(crs))

@@ -60,8 +60,8 @@ class Report {
 
     void put_figure(const ReportFigure& figure) {
         if (figure.file.empty()) return;
-        put("<figure><img decoding=\"async\" alt=\"{0}\" src=\"{1}\"><figcaption>{0}", escaped(figure.caption),
-            escaped(source_(figure.file)));
+        put("<figure><img decoding=\"async\" alt=\"{0}\" src=\"{1}\"><figcaption>{0}",
+            escaped(figure.caption), escaped(source_(figure.file)));
         for (const std::string& other : figure.others)
             put(" <a href=\"{}\">{}</a>", escaped(other), escaped(other.substr(other.rfind('.') + 1)));
         put("</figcaption></figure>\n");

@@ -195,7 +195,8 @@ class Builder {
         for (const std::uint32_t c : contours) node_at[c] = node;
         if (!flat) return;
         if (contours.size() > 1) result_.graph.nodes[node].form = NodeForm::Flat;
-        for (const std::uint32_t c : contours) flat_at[c] = add_contour(ring_curve(stack_.contours[c], height));
+        for (const std::uint32_t c : contours)
+            flat_at[c] = add_contour(ring_curve(stack_.contours[c], height));
     }
 
     void branch(const std::vector<std::uint32_t>& below, const std::vector<std::uint32_t>& above,

@@ -36,9 +36,9 @@ struct SmoothBrep {
     std::vector<Edge> edges;      // [cells.edges]
     HorizonSheets horizons;
     std::vector<std::vector<double>> cuts;  // [horizons.sheets] x of lines along which its faces were cut
-    std::vector<SideCurve> sides;      // [cells.sides]
-    std::vector<BodyQuality> quality;  // [cells.bodies]
-    double size = 0;                   // diagonal of the model's box
+    std::vector<SideCurve> sides;           // [cells.sides]
+    std::vector<BodyQuality> quality;       // [cells.bodies]
+    double size = 0;                        // diagonal of the model's box
 
     const HeightPatch& sheet(std::uint32_t cell) const { return horizons.sheets[horizons.of_cell[cell]]; }
 };

@@ -143,7 +143,9 @@ TEST(ContourMatching, is_a_contour_with_all_its_points_for_any_two) {
         for (std::size_t i = 0; i < matched.points.size(); ++i) {
             EXPECT_EQ(matched.points[i],
                       second.points[(static_cast<std::size_t>(at) + i) % second.points.size()]);
-            if (i > 0) EXPECT_GT(matched.parameters[i], matched.parameters[i - 1]) << round;
+            if (i > 0) {
+                EXPECT_GT(matched.parameters[i], matched.parameters[i - 1]) << round;
+            }
         }
     }
     const SampledContour point = contour_by_perimeter({{1, 2, 3}});
