@@ -274,8 +274,8 @@ class Build {
     std::string crs_of(const BoreholeTable& table) {
         const std::string of_ground = terrain_ ? terrain_->crs : "";
         std::string crs = reference_name(!arguments_.crs.empty() ? arguments_.crs
-                                               : !table.crs.empty()    ? table.crs
-                                                                       : of_ground);
+                                         : !table.crs.empty()    ? table.crs
+                                                                 : of_ground);
         if (is_in_degrees(crs))
             notes_.push_back(
                 fmt::format("x and y are degrees of {}; areas and volumes need a projected system", crs));

@@ -73,8 +73,9 @@ export class ClipUniforms {
   applyTo(material, lifted = false) {
     this.materials.push(material);
     material.onBeforeCompile = (shader) => {
-      if (!this.isCutting) return;
+      // Always: three.js keeps the uniforms of what it compiled last, also for programs that it has from before.
       Object.assign(shader.uniforms, this.uniforms);
+      if (!this.isCutting) return;
       const define = lifted ? '#define USE_LIFT\n' : '';
       shader.vertexShader = shader.vertexShader
         .replace('#include <common>', `#include <common>\n${define}${kVertexHead}`)
