@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "mesh/point_in_ring.h"
 #include "reeb/arc_length.h"
 #include "reeb/contour_alignment.h"
 #include "reeb/homotopy.h"
@@ -21,16 +22,6 @@ double mean_height(const std::vector<Point3>& points) {
     double sum = 0;
     for (const Point3& p : points) sum += p.z - first;
     return first + sum / static_cast<double>(points.size());
-}
-
-bool is_inside(const std::vector<Point3>& ring, const Point3& p) {
-    bool inside = false;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point3 &a = ring[i], &b = ring[(i + 1) % ring.size()];
-        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
-            inside = !inside;
-    }
-    return inside;
 }
 
 //! A strand, its ends included, asked for its cross-section at a height.
@@ -48,7 +39,7 @@ class Sections {
         if (p.z <= bottom_.z || p.z >= top_.z || p.x < low_.x || p.x > high_.x || p.y < low_.y ||
             p.y > high_.y)
             return false;
-        return is_inside(section(p.z), p);
+        return is_inside_ring(section(p.z), p);
     }
 
  private:
@@ -147,8 +138,9 @@ class HoleFinder {
         const Point3& node = graph_.nodes[n].position;
         const auto from_node = [&](const Point3& p) { return std::hypot(p.x - node.x, p.y - node.y); };
         const Point3 far = *std::ranges::max_element(end_of(e, is_top), {}, from_node);
-        return static_cast<std::size_t>(std::ranges::count_if(
-            side, [&](std::uint32_t other) { return other != e && is_inside(end_of(other, is_top), far); }));
+        return static_cast<std::size_t>(std::ranges::count_if(side, [&](std::uint32_t other) {
+            return other != e && is_inside_ring(end_of(other, is_top), far);
+        }));
     }
 
     void unite(std::uint32_t a, std::uint32_t b, bool differ) {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "boreholes/errors.h"
+#include "mesh/point_in_ring.h"
 #include "mesh/region_triangulation.h"
 #include "mesh/ring_crossings.h"
 #include "reeb/contour_touches.h"
@@ -41,23 +42,13 @@ bool is_level(const SheetRing& ring) {
     return std::ranges::all_of(ring.points, [&](const Point3& p) { return p.z == ring.points.front().z; });
 }
 
-bool surrounds(const std::vector<Point2>& ring, const Point2& p) {
-    bool inside = false;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
-        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
-            inside = !inside;
-    }
-    return inside;
-}
-
 //! The ring around all others, if no other one is around another. \pre none crosses another
 std::optional<std::size_t> outer_ring(const Rings& rings) {
     std::optional<std::size_t> outer;
     for (std::size_t a = 0; a < rings.size(); ++a) {
         std::size_t inside = 0;
         for (std::size_t b = 0; b < rings.size(); ++b)
-            inside += a != b && surrounds(rings[a], rings[b].front());
+            inside += a != b && is_inside_ring(rings[a], rings[b].front());
         if (inside > 0 && (inside + 1 < rings.size() || outer)) return std::nullopt;
         if (inside + 1 == rings.size()) outer = a;
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "mesh/point_in_ring.h"
 #include "mesh/ring_crossings.h"
 #include "reeb/graph_strands.h"
 
@@ -25,16 +26,6 @@ bool is_level(const SampledContour& contour) {
                                [&](const Point3& p) { return p.z == contour.points.front().z; });
 }
 
-bool surrounds(const std::vector<Point2>& ring, const Point2& p) {
-    bool inside = false;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
-        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
-            inside = !inside;
-    }
-    return inside;
-}
-
 //! How many contours are not within the one below, or around it if it is a hole.
 std::size_t overhangs(const GraphStrand& strand, bool is_hole) {
     std::vector<std::vector<Point2>> rings;
@@ -42,7 +33,7 @@ std::size_t overhangs(const GraphStrand& strand, bool is_hole) {
     std::size_t count = 0;
     for (std::size_t k = 0; k + 1 < rings.size(); ++k) {
         const auto &outer = rings[is_hole ? k + 1 : k], &inner = rings[is_hole ? k : k + 1];
-        if (!surrounds(outer, inner.front()) ||
+        if (!is_inside_ring(outer, inner.front()) ||
             !ring_crossings(std::vector{outer, inner}, {.most = 1}).empty())
             ++count;
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "mesh/point_in_ring.h"
 namespace stratareeb {
 namespace {
 
@@ -357,16 +358,6 @@ class Cutter {
         return sum / 2;
     }
 
-    static bool contains(const Ring& ring, const Point2& p) {
-        bool inside = false;
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            const Point2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
-            if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
-                inside = !inside;
-        }
-        return inside;
-    }
-
     // A cell for each outer loop, with the holes inside it.
     void share_out(std::uint32_t c, const std::vector<std::pair<std::size_t, PlanCells::Loop>>& loops) {
         std::vector<Ring> rings;
@@ -378,7 +369,7 @@ class Cutter {
             std::uint32_t owner = kNone;
             for (const auto& [outer, cell] : cell_of)
                 if (outer == i || (!cell_of.contains(i) && loops[outer].first == loops[i].first &&
-                                   contains(rings[outer], rings[i][0])))
+                                   is_inside_ring(rings[outer], rings[i][0])))
                     owner = cell;
             if (owner != kNone) cells_.cells[owner].loops.push_back(loops[i].second);
         }
