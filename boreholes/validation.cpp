@@ -2,57 +2,15 @@
 #include "boreholes/validation.h"
 
 #include <cmath>
-#include <functional>
 
 #include "boreholes/error_by_gap.h"
 #include "boreholes/nearest_sites.h"
+#include "boreholes/placed_errors.h"
 #include "boreholes/prediction_intervals.h"
 
 namespace stratareeb {
 
 namespace {
-
-//! Places of all holes that know a quantity, held out or not, and the draws they are in.
-struct Knowing {
-    std::vector<Point2> at;
-    std::vector<std::size_t> draw, number_of_hole;
-};
-
-Knowing knowing(const Survey& survey, const std::vector<Draw>& draws,
-                const std::function<bool(const Borehole&)>& knows) {
-    std::vector<std::size_t> draw_of(survey.holes.size());
-    for (std::size_t h = 0; h < draw_of.size(); ++h) draw_of[h] = draws.size() + h;  // in none
-    for (std::size_t d = 0; d < draws.size(); ++d)
-        for (const std::size_t h : draws[d]) draw_of[h] = d;
-    Knowing result{{}, {}, std::vector<std::size_t>(survey.holes.size(), 0)};
-    for (std::size_t h = 0; h < survey.holes.size(); ++h) {
-        if (!knows(survey.holes[h])) continue;
-        result.number_of_hole[h] = result.at.size();
-        result.at.push_back(survey.holes[h].at);
-        result.draw.push_back(draw_of[h]);
-    }
-    return result;
-}
-
-bool knows_thickness(const Borehole& hole, std::size_t layer) {
-    return layer < hole.layers.size() && hole.layers[layer].knowledge == Knowledge::Measured;
-}
-
-bool knows_horizon(const Borehole& hole, std::size_t k) {
-    return k < hole.horizons.size() && hole.horizons[k].has_value();
-}
-
-std::vector<PlacedError> placed_errors(const Survey& survey, const std::vector<Residual>& residuals,
-                                       const Knowing& know) {
-    std::vector<std::size_t> asked;
-    for (const Residual& residual : residuals) asked.push_back(know.number_of_hole[residual.hole]);
-    const std::vector<double> gaps = gaps_to_other_draws(know.at, know.draw, asked);
-    std::vector<PlacedError> errors;
-    for (std::size_t i = 0; i < residuals.size(); ++i)
-        errors.push_back(
-            {survey.holes[residuals[i].hole].at, residuals[i].draw, residuals[i].error(), gaps[i]});
-    return errors;
-}
 
 void add_tests(ItemValidation& item, const ValidationOptions& options) {
     std::vector<double> errors, inside, actual, predicted;
@@ -96,8 +54,8 @@ LocalErrors add_layers(Validation& result, const Survey& survey, const Validatio
     if (survey.contact_points) return errors;
     for (std::size_t i = 0; i < survey.units.size(); ++i) {
         auto residuals = thickness_residuals(survey, result.held, i);
-        const Knowing know =
-            knowing(survey, result.draws, [i](const Borehole& hole) { return knows_thickness(hole, i); });
+        const KnowingHoles know = knowing_holes(
+            survey, result.draws, [i](const Borehole& hole) { return knows_thickness(hole, i); });
         errors.emplace_back(placed_errors(survey, residuals, know));
         auto& item = result.layers.emplace_back(
             item_of(survey.units[i].name, std::move(residuals), errors.back(), options));
@@ -112,8 +70,8 @@ LocalErrors add_horizons(Validation& result, const Survey& survey, const Validat
     LocalErrors errors;
     for (std::size_t k = 0; k <= survey.units.size(); ++k) {
         auto residuals = elevation_residuals(survey, result.held, k);
-        const Knowing know =
-            knowing(survey, result.draws, [k](const Borehole& hole) { return knows_horizon(hole, k); });
+        const KnowingHoles know =
+            knowing_holes(survey, result.draws, [k](const Borehole& hole) { return knows_horizon(hole, k); });
         errors.emplace_back(placed_errors(survey, residuals, know));
         result.horizons.push_back(item_of(k == 0 ? "ground" : "base of " + survey.units[k - 1].name,
                                           std::move(residuals), errors.back(), options));

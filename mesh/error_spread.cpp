@@ -11,6 +11,7 @@
 #include "boreholes/errors.h"
 #include "boreholes/hold_out.h"
 #include "boreholes/nearest_sites.h"
+#include "boreholes/placed_errors.h"
 #include "boreholes/prediction_intervals.h"
 
 namespace stratareeb {
@@ -20,47 +21,17 @@ namespace {
 constexpr std::size_t kFewestErrors = 5;
 
 bool knows(const Borehole& hole, const PredictedQuantity& quantity) {
-    const std::size_t i = quantity.index;
-    if (quantity.thickness) return i < hole.layers.size() && hole.layers[i].knowledge == Knowledge::Measured;
-    return i < hole.horizons.size() && hole.horizons[i].has_value();
-}
-
-//! Holes that know the quantity, by where they stand among them, and the draws they are in.
-struct Knowing {
-    std::vector<Point2> at;
-    std::vector<std::size_t> draw, place;
-};
-
-Knowing knowing(const Survey& survey, const std::vector<Draw>& draws, const PredictedQuantity& quantity) {
-    const std::size_t holes = survey.holes.size();
-    std::vector<std::size_t> draw_of(holes);
-    for (std::size_t h = 0; h < holes; ++h) draw_of[h] = draws.size() + h;  // in none
-    for (std::size_t d = 0; d < draws.size(); ++d)
-        for (const std::size_t h : draws[d]) draw_of[h] = d;
-    Knowing result{{}, {}, std::vector<std::size_t>(holes, 0)};
-    for (std::size_t h = 0; h < holes; ++h) {
-        if (!knows(survey.holes[h], quantity)) continue;
-        result.place[h] = result.at.size();
-        result.at.push_back(survey.holes[h].at);
-        result.draw.push_back(draw_of[h]);
-    }
-    return result;
+    return quantity.thickness ? knows_thickness(hole, quantity.index) : knows_horizon(hole, quantity.index);
 }
 
 std::vector<PlacedError> placed_errors(const Survey& survey, const std::vector<Draw>& draws,
-                                       const Knowing& know, const PredictedQuantity& quantity,
+                                       const KnowingHoles& know, const PredictedQuantity& quantity,
                                        const CompletionOptions& prediction) {
     const auto held = hold_out(survey, draws, {.prediction = prediction});
-    const auto residuals = quantity.thickness ? thickness_residuals(survey, held, quantity.index)
-                                              : elevation_residuals(survey, held, quantity.index);
-    std::vector<std::size_t> asked;
-    for (const Residual& residual : residuals) asked.push_back(know.place[residual.hole]);
-    const std::vector<double> gaps = gaps_to_other_draws(know.at, know.draw, asked);
-    std::vector<PlacedError> errors;
-    for (std::size_t i = 0; i < residuals.size(); ++i)
-        errors.push_back(
-            {survey.holes[residuals[i].hole].at, residuals[i].draw, residuals[i].error(), gaps[i]});
-    return errors;
+    return placed_errors(survey,
+                         quantity.thickness ? thickness_residuals(survey, held, quantity.index)
+                                            : elevation_residuals(survey, held, quantity.index),
+                         know);
 }
 
 //! Root mean square of errors over what others say of their size.
@@ -98,7 +69,7 @@ struct LocalSizes {
     std::vector<double> gap, size;
 };
 
-LocalSizes local_sizes(const LayerModel& model, const Knowing& know, const LocalError& local,
+LocalSizes local_sizes(const LayerModel& model, const KnowingHoles& know, const LocalError& local,
                        const GapProfile& profile) {
     const TriMesh& plan = model.plan.surface;
     LocalSizes result{std::vector<double>(plan.n_vertices()), std::vector<double>(plan.n_vertices())};
@@ -132,7 +103,8 @@ ErrorSpread error_spread(const LayerModel& model, const Survey& survey, const Pr
         draws = without_last_contacts(
             survey,
             fold_draws(survey.holes.size(), std::min(options.folds, survey.holes.size()), options.seed));
-    const Knowing know = knowing(survey, draws, quantity);
+    const KnowingHoles know =
+        knowing_holes(survey, draws, [&](const Borehole& hole) { return knows(hole, quantity); });
     if (draws.empty() || know.at.size() < kFewestErrors)
         throw InvalidInput(
             fmt::format("only {} boreholes know it; how far off the model may be takes {} at least",
