@@ -44,7 +44,7 @@ void interpolate(benchmark::State& state, InterpolatorKind kind) {
         fields.push_back({value[f], {}});
     }
     for (auto _ : state)
-        benchmark::DoNotOptimize(make_interpolator(kind, holes)->predict_layers(where, fields));
+        benchmark::DoNotOptimize(make_interpolator(kind, holes)->predict_layers(where, {fields}));
     state.counters["places"] = static_cast<double>(places);
     state.counters["us_per_place_field"] =
         benchmark::Counter(static_cast<double>(places * kFields) / 1e6,

@@ -26,6 +26,16 @@ struct SiteField {
     }
 };
 
+//! Layers one above the other, top first, where some may be missing.
+struct LayerFields {
+    //! Only sites that have the layer have a say.
+    std::span<const SiteField> thickness;
+    //! [layer][site]: the thickness is known there, be it 0 for a layer that is missing; empty: where a site has a say.
+    std::span<const std::vector<char>> known = {};
+    //! [layer][place]: the share of a prediction that the place has, less than 1 near where the layer ends; empty: 1.
+    std::span<const std::vector<double>> taper = {};
+};
+
 //! One field at some places.
 struct FieldPrediction {
     std::vector<double> value;
@@ -46,12 +56,11 @@ class Interpolator {
     virtual std::vector<std::vector<double>> predict(std::span<const Point2> where,
                                                      std::span<const SiteField> fields) const = 0;
 
-    //! The same for the thicknesses of neighbouring layers, top first. Splines and kriging, which fit each field by itself, predict
-    //! the depths of their bases as well and bring both together (reconcile_layers.h), so that the sums of layers are
-    //! predicted as well as the layers.
+    //! The same for the thicknesses of layers. Splines and kriging, which fit each field by itself, predict the depths of their
+    //! bases as well and bring both together (reconcile_layers.h), so that the sums of layers are predicted as well as the layers.
     virtual std::vector<std::vector<double>> predict_layers(std::span<const Point2> where,
-                                                            std::span<const SiteField> thickness) const {
-        return predict(where, thickness);
+                                                            const LayerFields& layers) const {
+        return predict(where, layers.thickness);
     }
 
     //! As predict, with standard deviations where the method has them.

@@ -17,7 +17,7 @@ namespace {
 // hold-outs of real surveys, whose outer holes are beyond the hull of the rest, favour going on over stopping at the hull.
 constexpr double kReach = 0.25;
 constexpr double kTogether =
-    0.5;  // of the sites that know a layer, the share that must know its neighbour too
+    0.4;  // of the sites that know a layer, the share that must know its neighbour too
 
 //! The value that all sites have, or null. A bound below it says nothing.
 const double* only_value(const FieldSites& sites) {
@@ -43,12 +43,24 @@ bool has_say(const SiteField& field, std::size_t site) {
     return field.use.empty() || field.use[site];
 }
 
+//! Is the layer's thickness known there, be it 0?
+bool is_known(const LayerFields& layers, std::size_t layer, std::size_t site) {
+    return layers.known.empty() ? has_say(layers.thickness[layer], site) : layers.known[layer][site] != 0;
+}
+
+double taper_at(const LayerFields& layers, std::size_t layer, std::size_t place) {
+    return layers.taper.empty() ? 1.0 : layers.taper[layer][place];
+}
+
 //! Layers whose depths are worth a prediction of their own: most sites that know one of them know both.
-bool go_together(const SiteField& a, const SiteField& b) {
-    if (!a.at_least.empty() || !b.at_least.empty()) return false;
+bool go_together(const LayerFields& layers, std::size_t a, std::size_t b) {
+    const auto& fields = layers.thickness;
+    if (!fields[a].at_least.empty() || !fields[b].at_least.empty()) return false;
     double both = 0, of_a = 0, of_b = 0;
-    for (std::size_t s = 0; s < a.value.size(); ++s)
-        both += has_say(a, s) && has_say(b, s), of_a += has_say(a, s), of_b += has_say(b, s);
+    for (std::size_t s = 0; s < fields[a].value.size(); ++s) {
+        const bool in_a = is_known(layers, a, s), in_b = is_known(layers, b, s);
+        both += in_a && in_b, of_a += in_a, of_b += in_b;
+    }
     return both >= kTogether * std::max(of_a, of_b);
 }
 
@@ -108,39 +120,51 @@ std::vector<std::vector<double>> RadialInterpolator::predict(std::span<const Poi
 }
 
 //! Neighbouring layers that are known at much the same sites. A depth is known where all layers down to it are.
-void RadialInterpolator::predict_run(std::span<const Point2> where, std::span<const SiteField> thickness,
+void RadialInterpolator::predict_run(std::span<const Point2> where, const LayerFields& fields,
+                                     std::size_t begin, std::size_t end,
                                      std::vector<std::vector<double>>& result) const {
-    const Extras extras{.error = thickness.size() > 1};
+    const Extras extras{.error = end - begin > 1};
     std::vector<RatedPrediction> layers, depths;
     std::vector<double> depth(holes_->sites().size(), 0.0);
     std::vector<char> all(depth.size(), 1);
-    for (const SiteField& field : thickness) {
+    for (std::size_t i = begin; i < end; ++i) {
+        const SiteField& field = fields.thickness[i];
         RatedField layer = predict_field(where, field, extras);
         layers.push_back({std::move(layer.prediction.value), layer.error});
         for (std::size_t s = 0; s < depth.size(); ++s)
-            depth[s] += field.value[s], all[s] = static_cast<char>(all[s] && has_say(field, s));
-        if (layers.size() == 1) {
+            depth[s] += field.value[s], all[s] = static_cast<char>(all[s] && is_known(fields, i, s));
+        if (i == begin) {
             depths.emplace_back();
             continue;
         }
         RatedField sum = predict_field(where, {depth, all}, extras);
         depths.push_back({std::move(sum.prediction.value), sum.error});
     }
-    for (std::size_t i = 0; auto& values : reconcile_layers(layers, depths)) {
-        const ValueLimits limits = limits_of(thickness[i++]);
-        for (double& t : values) t = limits.clamp(t);
+    if (!fields.taper.empty())
+        for (std::size_t i = begin; i < end; ++i) {
+            layers[i - begin].share = fields.taper[i];
+            for (std::size_t p = 0; p < where.size(); ++p) layers[i - begin].value[p] *= fields.taper[i][p];
+        }
+    auto columns = reconcile_layers(layers, depths);
+    for (std::size_t i = begin; i < end; ++i) {
+        const ValueLimits limits = limits_of(fields.thickness[i]);
+        std::vector<double>& values = columns[i - begin];
+        for (std::size_t p = 0; p < where.size(); ++p) {
+            const double taper = taper_at(fields, i, p);
+            if (taper > 0) values[p] = limits.clamp(values[p] / taper);
+        }
         result.push_back(std::move(values));
     }
 }
 
-std::vector<std::vector<double>> RadialInterpolator::predict_layers(
-    std::span<const Point2> where, std::span<const SiteField> thickness) const {
+std::vector<std::vector<double>> RadialInterpolator::predict_layers(std::span<const Point2> where,
+                                                                    const LayerFields& layers) const {
     const auto near = in_reach(where);
     std::vector<std::vector<double>> result;
-    for (std::size_t begin = 0, end = 0; begin < thickness.size(); begin = end) {
-        for (end = begin + 1; end < thickness.size(); ++end)
-            if (!go_together(thickness[begin], thickness[end])) break;
-        predict_run(near, thickness.subspan(begin, end - begin), result);
+    for (std::size_t begin = 0, end = 0; begin < layers.thickness.size(); begin = end) {
+        for (end = begin + 1; end < layers.thickness.size(); ++end)
+            if (!go_together(layers, begin, end)) break;
+        predict_run(near, layers, begin, end, result);
     }
     return result;
 }

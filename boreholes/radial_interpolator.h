@@ -18,7 +18,7 @@ class RadialInterpolator : public Interpolator {
     std::vector<std::vector<double>> predict(std::span<const Point2> where,
                                              std::span<const SiteField> fields) const override;
     std::vector<std::vector<double>> predict_layers(std::span<const Point2> where,
-                                                    std::span<const SiteField> thickness) const override;
+                                                    const LayerFields& layers) const override;
     std::vector<FieldPrediction> predict_with_deviation(std::span<const Point2> where,
                                                         std::span<const SiteField> fields) const override;
     bool has_deviation() const override { return true; }
@@ -51,8 +51,8 @@ class RadialInterpolator : public Interpolator {
     };
     RatedField predict_field(std::span<const Point2> where, const SiteField& field, Extras extras) const;
     std::vector<Point2> in_reach(std::span<const Point2> where) const;
-    void predict_run(std::span<const Point2> where, std::span<const SiteField> thickness,
-                     std::vector<std::vector<double>>& result) const;
+    void predict_run(std::span<const Point2> where, const LayerFields& layers, std::size_t begin,
+                     std::size_t end, std::vector<std::vector<double>>& result) const;
 
     std::shared_ptr<const HoleTriangulation> holes_;
     std::size_t single_patch_;

@@ -1,53 +1,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "boreholes/reconcile_layers.h"
 
-#include <algorithm>
-
 namespace stratareeb {
 
 namespace {
 
-constexpr double kLeastError =
-    1e-6;  // of the largest error; weights go with its square, and 0 would be an infinite one
-
-std::vector<double> inverse_squares(std::span<const RatedPrediction> predictions, double least) {
-    std::vector<double> result;
-    for (const RatedPrediction& p : predictions) {
-        const double error = std::max(p.error, least);
-        result.push_back(1 / (error * error));
-    }
-    return result;
+double variance_at(const RatedPrediction& prediction, std::size_t place) {
+    const double error = prediction.error * (prediction.share.empty() ? 1.0 : prediction.share[place]);
+    return error * error;
 }
 
-//! Cholesky's factor of the tridiagonal matrix of the sums E_i of corrections.
+//! What to add to the sums of layers in one column, from what the depths exceed them by.
 class Corrections {
  public:
-    Corrections(const std::vector<double>& thickness_weight, const std::vector<double>& depth_weight)
-        : depth_weight_(depth_weight) {
-        const std::size_t n = thickness_weight.size();
-        pivot_.resize(n), below_.resize(n, 0.0);
-        for (std::size_t i = 0; i < n; ++i) {
-            pivot_[i] = thickness_weight[i] + (i > 0 ? depth_weight[i] : 0) +
-                        (i + 1 < n ? thickness_weight[i + 1] : 0);
-            if (i == 0) continue;
-            below_[i] = -thickness_weight[i] / pivot_[i - 1];
-            pivot_[i] += below_[i] * thickness_weight[i];
-        }
+    explicit Corrections(std::size_t layers)
+        : step_(layers), excess_(layers), depth_(layers), sum_(layers), variance_(layers) {}
+
+    //! The variances of a layer, and of the depth of its base, which exceeds the sum of thicknesses by so much.
+    void set(std::size_t layer, double step, double excess, double depth) {
+        step_[layer] = step, excess_[layer] = excess, depth_[layer] = depth;
     }
 
-    //! In: what each depth exceeds the sum of thicknesses by. Out: what to add to each sum.
-    void solve(std::vector<double>& excess) const {
-        const std::size_t n = pivot_.size();
-        for (std::size_t i = 1; i < n; ++i)
-            excess[i] = depth_weight_[i] * excess[i] - below_[i] * excess[i - 1];
-        for (std::size_t i = n; i-- > 0;) {
-            excess[i] /= pivot_[i];
-            if (i + 1 < n) excess[i] -= below_[i + 1] * excess[i + 1];
-        }
+    const std::vector<double>& solve() {
+        walk_down();
+        walk_up();
+        return sum_;
     }
 
  private:
-    std::vector<double> depth_weight_, pivot_, below_;
+    void walk_down() {
+        double sum = 0, variance = step_[0];
+        for (std::size_t i = 0; i < step_.size(); ++i) {
+            if (i > 0) {
+                variance += step_[i];
+                const double both = variance + depth_[i];
+                const double gain = both > 0 ? variance / both : 0;
+                sum += gain * (excess_[i] - sum);
+                variance *= 1 - gain;
+            }
+            sum_[i] = sum, variance_[i] = variance;
+        }
+    }
+
+    void walk_up() {
+        for (std::size_t i = sum_.size() - 1; i-- > 0;) {
+            const double ahead = variance_[i] + step_[i + 1];
+            if (ahead > 0) sum_[i] += variance_[i] / ahead * (sum_[i + 1] - sum_[i]);
+        }
+    }
+
+    std::vector<double> step_, excess_, depth_, sum_, variance_;
 };
 
 }  // namespace
@@ -55,24 +57,18 @@ class Corrections {
 std::vector<std::vector<double>> reconcile_layers(std::span<const RatedPrediction> thickness,
                                                   std::span<const RatedPrediction> depth) {
     std::vector<std::vector<double>> result;
-    double largest = 0;
-    for (std::size_t i = 0; i < thickness.size(); ++i) {
-        result.push_back(thickness[i].value);
-        largest = std::max({largest, thickness[i].error, i > 0 ? depth[i].error : 0});
-    }
-    if (result.size() < 2 || !(largest > 0)) return result;
-    const double least = kLeastError * largest;
-    const Corrections corrections(inverse_squares(thickness, least), inverse_squares(depth, least));
-    std::vector<double> excess(result.size());
+    for (const RatedPrediction& layer : thickness) result.push_back(layer.value);
+    if (result.size() < 2) return result;
+    Corrections corrections(result.size());
     for (std::size_t p = 0; p < result[0].size(); ++p) {
         double sum = 0;
         for (std::size_t i = 0; i < result.size(); ++i) {
             sum += result[i][p];
-            excess[i] = i > 0 ? depth[i].value[p] - sum : 0;
+            const double excess = i > 0 ? depth[i].value[p] - sum : 0;
+            corrections.set(i, variance_at(thickness[i], p), excess, i > 0 ? variance_at(depth[i], p) : 0);
         }
-        corrections.solve(excess);
-        for (std::size_t i = 0; i < result.size(); ++i)
-            result[i][p] += excess[i] - (i > 0 ? excess[i - 1] : 0);
+        const std::vector<double>& moved = corrections.solve();
+        for (std::size_t i = 0; i < result.size(); ++i) result[i][p] += moved[i] - (i > 0 ? moved[i - 1] : 0);
     }
     return result;
 }

@@ -11,9 +11,11 @@ ThicknessField::ThicknessField(std::shared_ptr<const HoleTriangulation> holes,
                                const std::vector<std::vector<char>>& known)
     : holes_(std::move(holes)),
       thickness_(std::move(thickness)),
+      known_(known),
       rule_(rule),
       interpolator_(std::move(interpolator)) {
     for (const auto& layer : thickness_) {
+        if (known.empty()) known_.emplace_back(layer.size(), static_cast<char>(1));
         auto& present = present_.emplace_back(layer.size());
         std::ranges::transform(layer, present.begin(), [](double t) { return static_cast<char>(t > 0); });
         auto& say = has_say_.emplace_back(present);
@@ -54,13 +56,16 @@ double ThicknessField::mean_of_present(std::size_t layer, const PlanLocation& lo
 std::vector<std::vector<double>> ThicknessField::predict(std::span<const Point2> where) const {
     std::vector<SiteField> fields;
     for (std::size_t i = 0; i < layers(); ++i) fields.push_back({thickness_[i], has_say_[i]});
-    auto result = interpolator_->predict_layers(where, fields);
     const std::vector<PlanLocation> locations = holes_->locate(where);
+    std::vector<std::vector<double>> tapers(layers(), std::vector<double>(where.size()));
+    for (std::size_t i = 0; i < layers(); ++i)
+        for (std::size_t p = 0; p < where.size(); ++p) tapers[i][p] = taper(i, locations[p]);
+    auto result = interpolator_->predict_layers(where, {fields, known_, tapers});
     for (std::size_t i = 0; i < layers(); ++i)
         for (std::size_t p = 0; p < where.size(); ++p) {
-            const double inside = share(i, locations[p]);
-            if (inside > rule_.fraction && result[i][p] == 0) result[i][p] = mean_of_present(i, locations[p]);
-            if (inside < 1) result[i][p] *= std::max(0.0, (inside - rule_.fraction) / (1 - rule_.fraction));
+            const double share = tapers[i][p];
+            if (share > 0 && result[i][p] == 0) result[i][p] = mean_of_present(i, locations[p]);
+            if (share < 1) result[i][p] *= share;
         }
     return result;
 }

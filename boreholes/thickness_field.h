@@ -48,7 +48,7 @@ class ThicknessField {
 
     std::shared_ptr<const HoleTriangulation> holes_;
     std::vector<std::vector<double>> thickness_;
-    std::vector<std::vector<char>> present_, has_say_;
+    std::vector<std::vector<char>> present_, has_say_, known_;
     PinchOutRule rule_;
     std::unique_ptr<Interpolator> interpolator_;
 };

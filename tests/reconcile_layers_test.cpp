@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "boreholes/interpolator.h"
+#include "boreholes/thickness_field.h"
 
 namespace stratareeb {
 namespace {
@@ -104,7 +105,7 @@ TEST(PredictLayers, a_top_in_the_wrong_place_does_not_move_the_base) {
             std::vector<Point2> where;
             for (int k = 0; k < 300; ++k) where.push_back({100.0 + 45 * (k % 18), 100.0 + 48 * (k / 18)});
             const std::vector<SiteField> fields{{beds.upper, {}}, {beds.lower, {}}};
-            const auto each = method->predict(where, fields), both = method->predict_layers(where, fields);
+            const auto each = method->predict(where, fields), both = method->predict_layers(where, {fields});
             for (std::size_t p = 0; p < where.size(); ++p) {
                 const double sum = MispickedBeds::sum_at(where[p]);
                 alone += std::pow(each[0][p] + each[1][p] - sum, 2);
@@ -115,6 +116,53 @@ TEST(PredictLayers, a_top_in_the_wrong_place_does_not_move_the_base) {
     }
 }
 
+//! A bed that ends in the middle of the area between two that vary: beyond its end, what is known of its depths says nothing.
+TEST(PredictLayers, a_layer_that_ends_does_not_move_the_others) {
+    const auto cover = [](const Point2& p) {
+        return 25 + 12 * std::sin(p.x / 160) + 8 * std::cos(p.y / 130);
+    };
+    const auto below = [](const Point2& p) { return 30 + 9 * std::sin(p.x / 140 + 1) * std::cos(p.y / 150); };
+    std::vector<Point2> where;
+    for (int k = 0; k < 200; ++k) where.push_back({700.0 + 13 * (k % 20), 60.0 + 85 * (k / 20)});
+    for (const InterpolatorKind kind : {InterpolatorKind::Kriging, InterpolatorKind::Spline})
+        for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+            std::mt19937_64 random(seed);
+            std::uniform_real_distribution<double> place(0, 1000);
+            std::vector<Point2> at;
+            std::vector<Values> layers(3);
+            for (int i = 0; i < 150; ++i) {
+                const Point2 p{place(random), place(random)};
+                at.push_back(p);
+                layers[0].push_back(cover(p)), layers[2].push_back(below(p));
+                layers[1].push_back(p.x < 600 ? 20 + 5 * std::sin(p.x / 50) * std::sin(p.y / 70) : 0.0);
+            }
+            const auto holes = std::make_shared<HoleTriangulation>(at);
+            const ThicknessField field(holes, layers, pinch_out_rule("half"), make_interpolator(kind, holes));
+            const auto found = field.predict(where);
+            const auto alone = make_interpolator(kind, holes)
+                                   ->predict(where, std::vector<SiteField>{{layers[0], {}}, {layers[2], {}}});
+            double together = 0, apart = 0;
+            for (std::size_t p = 0; p < where.size(); ++p) {
+                EXPECT_EQ(found[1][p], 0);
+                together +=
+                    std::pow(found[0][p] - cover(where[p]), 2) + std::pow(found[2][p] - below(where[p]), 2);
+                apart +=
+                    std::pow(alone[0][p] - cover(where[p]), 2) + std::pow(alone[1][p] - below(where[p]), 2);
+            }
+            EXPECT_LT(std::sqrt(together), 1.3 * std::sqrt(apart)) << name_of(kind) << ' ' << seed;
+        }
+}
+
+//! Tapered to nothing, a layer takes no part in any correction.
+TEST(ReconcileLayers, what_has_no_error_at_a_place_stays) {
+    const std::vector<RatedPrediction> thickness{{{4, 4}, 1, {1, 0}}, {{0, 5}, 3, {0, 1}}, {{6, 6}, 1}};
+    const std::vector<RatedPrediction> depth{{{}, 1}, {{5, 10}, 1}, {{13, 13}, 0}};
+    const auto found = reconcile_layers(thickness, depth);
+    EXPECT_EQ(found[1][0], 0);
+    EXPECT_EQ(found[0][1], 4);
+    for (std::size_t p : {0, 1}) EXPECT_NEAR(found[0][p] + found[1][p] + found[2][p], 13, 1e-12);
+}
+
 TEST(PredictLayers, honours_the_holes_and_leaves_unlike_layers_alone) {
     const MispickedBeds beds(9);
     std::vector<char> some(beds.at.size(), 0);  // known at a third of the holes: too few to be reconciled
@@ -122,13 +170,13 @@ TEST(PredictLayers, honours_the_holes_and_leaves_unlike_layers_alone) {
     for (const InterpolatorKind kind : interpolator_kinds()) {
         const auto method = make_interpolator(kind, std::make_shared<HoleTriangulation>(beds.at));
         const std::vector<SiteField> fields{{beds.upper, {}}, {beds.lower, {}}};
-        const auto at_holes = method->predict_layers(beds.at, fields);
+        const auto at_holes = method->predict_layers(beds.at, {fields});
         EXPECT_EQ(at_holes[0], beds.upper) << name_of(kind);
         EXPECT_EQ(at_holes[1], beds.lower) << name_of(kind);
         const std::vector<Point2> where{{333, 444}, {510, 90}, {-200, 1500}};
         const std::vector<SiteField> unlike{{beds.upper, {}}, {beds.lower, some}};
-        EXPECT_EQ(method->predict_layers(where, unlike), method->predict(where, unlike)) << name_of(kind);
-        for (const auto& layer : method->predict_layers(where, fields))
+        EXPECT_EQ(method->predict_layers(where, {unlike}), method->predict(where, unlike)) << name_of(kind);
+        for (const auto& layer : method->predict_layers(where, {fields}))
             for (const double t : layer) EXPECT_GT(t, 0) << name_of(kind);
     }
 }
