@@ -6,6 +6,7 @@
 #include <cairo.h>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "boreholes/errors.h"
@@ -14,7 +15,8 @@ namespace stratareeb {
 
 namespace {
 
-constexpr double kPixels = 1.5;  // of a PNG a point
+constexpr double kPixels = 1.5;     // of a PNG a point
+constexpr double kLeastStep = 0.2;  // points: what a line's corners may be left out within
 
 cairo_status_t append(void* text, const unsigned char* data, unsigned length) {
     static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(data), length);
@@ -44,6 +46,24 @@ struct DrawingPage::Cairo {
                                                                                &cairo_surface_destroy};
     std::unique_ptr<cairo_t, decltype(&cairo_destroy)> context{nullptr, &cairo_destroy};
     cairo_t* get() const { return context.get(); }
+
+    double x = 0, y = 0;            // the last corner drawn
+    double last_x = 0, last_y = 0;  // the last corner given
+    void start(double to_x, double to_y) {
+        finish_line();
+        cairo_move_to(get(), to_x, to_y);
+        x = last_x = to_x, y = last_y = to_y;
+    }
+    //! Corners closer together than an eye can see are left out, but a line's last.
+    void go(double to_x, double to_y) {
+        last_x = to_x, last_y = to_y;
+        if (std::hypot(to_x - x, to_y - y) >= kLeastStep) finish_line();
+    }
+    void finish_line() {
+        if (last_x == x && last_y == y) return;
+        cairo_line_to(get(), last_x, last_y);
+        x = last_x, y = last_y;
+    }
 };
 
 DrawingPage::DrawingPage(const std::filesystem::path& file, double width, double height)
@@ -68,18 +88,22 @@ void DrawingPage::line_width(double width) {
     cairo_set_line_width(cairo_->get(), width);
 }
 void DrawingPage::move_to(double x, double y) {
-    cairo_move_to(cairo_->get(), x, y);
+    cairo_->start(x, y);
 }
 void DrawingPage::line_to(double x, double y) {
-    cairo_line_to(cairo_->get(), x, y);
+    cairo_->go(x, y);
 }
 void DrawingPage::curve_to(double x1, double y1, double x2, double y2, double x, double y) {
+    cairo_->finish_line();
     cairo_curve_to(cairo_->get(), x1, y1, x2, y2, x, y);
+    cairo_->x = cairo_->last_x = x, cairo_->y = cairo_->last_y = y;
 }
 void DrawingPage::close() {
+    cairo_->finish_line();
     cairo_close_path(cairo_->get());
 }
 void DrawingPage::circle(double x, double y, double radius) {
+    cairo_->finish_line();
     cairo_new_sub_path(cairo_->get());
     cairo_arc(cairo_->get(), x, y, radius, 0, 2 * std::numbers::pi);
     close();
@@ -92,12 +116,15 @@ void DrawingPage::box(double x, double y, double width, double height) {
     close();
 }
 void DrawingPage::stroke() {
+    cairo_->finish_line();
     cairo_stroke(cairo_->get());
 }
 void DrawingPage::fill() {
+    cairo_->finish_line();
     cairo_fill(cairo_->get());
 }
 void DrawingPage::fill_and_keep() {
+    cairo_->finish_line();
     cairo_fill_preserve(cairo_->get());
 }
 void DrawingPage::clip_to(double x, double y, double width, double height) {

@@ -27,7 +27,8 @@ namespace {
 constexpr std::size_t kMostBases = 12;      // layers whose bases are mapped too
 constexpr std::size_t kReadableNodes = 60;  // of a graph
 constexpr std::size_t kFolds = 10;
-constexpr double kNearSection = 0.02;  // of a section's length: holes that are drawn
+constexpr double kNearSection = 0.02;           // of a section's length: holes that are drawn
+constexpr std::uintmax_t kMostBytes = 300'000;  // of a drawing of lines: a heavier one is shown as pixels
 
 class Figures {
  public:
@@ -63,6 +64,19 @@ class Figures {
             figure.others.push_back(name + ending);
             write(add_(figure.others.back()));
         }
+    }
+
+    //! A drawing as SVG, or as PNG where lines and holes are so many that a page of them would load slowly.
+    ReportFigure drawn(const std::string& name, const std::string& caption,
+                       const std::function<void(const std::filesystem::path&)>& write) const {
+        ReportFigure figure{name + ".svg", caption};
+        const std::filesystem::path lines = add_(figure.file);
+        write(lines);
+        if (std::filesystem::file_size(lines) <= kMostBytes) return figure;
+        if (options_.for_delivery) figure.others.push_back(figure.file);
+        figure.file = name + ".png";
+        write(add_(figure.file));
+        return figure;
     }
 
     PictureOptions picture_options(int width, int height) const {
@@ -131,14 +145,14 @@ class Figures {
             .title = caption,
             .length_unit = model_.length_unit,
             .holes = holes_along(section, saved_.survey, within * section.length())};
-        ReportFigure figure{file + ".svg", caption};
-        write_section_drawing(add_(figure.file), section, model_.units, drawing);
+        const auto draw = [&](const auto& to) { write_section_drawing(to, section, model_.units, drawing); };
+        ReportFigure figure = drawn(file, caption, draw);
         deliver(figure, file,
-                {{".pdf", [&](const auto& to) { write_section_drawing(to, section, model_.units, drawing); }},
-                 {".dxf", [&](const auto& to) {
-                      write_features(to, section_features(section_polygons(section), model_.units),
-                                     {.table = "section"});
-                  }}});
+                {{".pdf", draw}, {".dxf", [&](const auto& to) {
+                                      write_features(
+                                          to, section_features(section_polygons(section), model_.units),
+                                          {.table = "section"});
+                                  }}});
         figures_.sections.push_back(std::move(figure));
     }
 
@@ -167,15 +181,12 @@ class Figures {
     void add_map(const std::string& name, const PlanMap& map, const std::string& caption,
                  const std::vector<MapFeature>& features) {
         const std::string file = "maps/" + name;
-        ReportFigure figure{file + ".svg", caption};
-        write_plan_map(add_(figure.file), map);
+        const auto draw = [&](const auto& to) { write_plan_map(to, map); };
+        ReportFigure figure = drawn(file, caption, draw);
         const auto write_gis = [&](const auto& to) {
             write_features(to, features, {.table = name, .crs = options_.crs, .flat = false});
         };
-        deliver(figure, file,
-                {{".pdf", [&](const auto& to) { write_plan_map(to, map); }},
-                 {".gpkg", write_gis},
-                 {".dxf", write_gis}});
+        deliver(figure, file, {{".pdf", draw}, {".gpkg", write_gis}, {".dxf", write_gis}});
         figures_.maps.push_back(std::move(figure));
     }
 
@@ -255,10 +266,11 @@ class Figures {
             "interpolator {}, as the model does it.{}",
             options_.seed, figures_.validation->name,
             option("ground", "").empty() ? "" : " The ground was predicted from the boreholes alone.");
-        figures_.errors = {{"validation/residual_map.svg", "Errors at the boreholes held out"},
-                           {"validation/scatter.svg", "Predicted against actual, with 95 % intervals"}};
-        write_residual_map(add_(figures_.errors[0].file), saved_.survey, *figures_.validation);
-        write_residual_scatter(add_(figures_.errors[1].file), saved_.survey, *figures_.validation);
+        figures_.errors = {
+            drawn("validation/residual_map", "Errors at the boreholes held out",
+                  [&](const auto& to) { write_residual_map(to, saved_.survey, *figures_.validation); }),
+            drawn("validation/scatter", "Predicted against actual, with 95 % intervals",
+                  [&](const auto& to) { write_residual_scatter(to, saved_.survey, *figures_.validation); })};
     }
 
     const SavedModel& saved_;

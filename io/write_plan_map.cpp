@@ -20,6 +20,7 @@ namespace {
 // The page, in points.
 constexpr double kMargin = 24, kAxisRoom = 62, kLongSide = 620, kLegendWidth = 190, kLegendRow = 18;
 constexpr double kTop = 58, kBottom = 78, kLabelSize = 8.5;
+constexpr double kRing = 2.4, kLeastRing = 1.2;  // radii of a borehole's mark: at most; below it a dot
 constexpr Rgb kInk{40, 40, 44}, kGrid{226, 226, 230}, kFrame{110, 110, 116}, kWhite{255, 255, 255};
 
 class MapDrawing {
@@ -144,10 +145,26 @@ class MapDrawing {
         page.stroke();
     }
 
+    //! Radius of a borehole's mark: smaller where there are many, so that the map stays legible.
+    double point_size() const {
+        const double each =
+            width_ * height_ / static_cast<double>(std::max<std::size_t>(map_.points.size(), 1));
+        return std::clamp(0.15 * std::sqrt(each), 0.3, kRing);
+    }
+
     void draw_points(DrawingPage& page) const {
         constexpr std::size_t kMostLabels = 60;
+        const double size = point_size();
+        if (size < kLeastRing) {
+            page.ink(kInk);
+            for (const MapPoint& point : map_.points) {
+                page.box(x(point.at) - size, y(point.at) - size, 2 * size, 2 * size);
+                page.fill();
+            }
+            return;
+        }
         for (const MapPoint& point : map_.points) {
-            page.circle(x(point.at), y(point.at), 2.4);
+            page.circle(x(point.at), y(point.at), size);
             page.ink(kWhite);
             page.fill_and_keep();
             page.ink(kInk);
@@ -174,7 +191,7 @@ class MapDrawing {
             at += kLegendRow;
         }
         if (map_.points.empty()) return;
-        page.circle(at_x + 10, at + 6, 2.4);
+        page.circle(at_x + 10, at + 6, point_size());
         page.stroke();
         page.text(at_x + 28, at + 10, "borehole", 11);
     }

@@ -2,14 +2,11 @@
 // A borehole's log: what it drilled through, and beside it what the model has at its place.
 import { h } from './ui.js';
 
-const kHigh = 280; // pixels
-
 function strip(intervals, top, size, colors, names, className) {
-  const place = h('div', { class: `strip ${className}`, style: `height:${kHigh}px` });
+  const place = h('div', { class: `strip ${className}` });
   for (const [layer, from, to, whole] of intervals) {
-    const high = ((from - to) / size) * kHigh;
     const box = h('div', { class: whole ? 'interval' : 'interval open', title: `${names[layer]}: ${(from - to).toFixed(2)}` });
-    box.style.cssText = `top:${((top - from) / size) * kHigh}px;height:${Math.max(high, 1)}px;background:${colors[layer]}`;
+    box.style.cssText = `top:${(100 * (top - from)) / size}%;height:${(100 * (from - to)) / size}%;background:${colors[layer]}`;
     place.append(box);
   }
   return place;

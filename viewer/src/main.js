@@ -58,7 +58,7 @@ async function open() {
   const model = await Model.of(text.textContent);
   text.remove();
   const shell = makeShell(model.title, model.facts);
-  place.replaceChildren(shell.view, shell.side);
+  place.replaceChildren(shell.view, shell.parts.card, shell.side);
   const stage = new Stage(shell.canvas);
   const settings = new Settings({ exaggeration: suitableExaggeration(model.plan.box) });
   const said = saidOf(model, location.hash);

@@ -36,14 +36,14 @@ export function makeShell(title, facts) {
     tools: h('nav', { class: 'tools', 'aria-label': 'views' }),
     compass: h('div', { class: 'compass', 'aria-hidden': 'true' }),
     status: h('p', { class: 'status', 'aria-live': 'off' }),
-    card: h('aside', { class: 'card', hidden: true, 'aria-label': 'log' }),
+    card: h('aside', { class: 'card log', hidden: true, 'aria-label': 'log' }),
     help: h('aside', { class: 'card help', hidden: true, 'aria-label': 'keys' }),
     panel: h('aside', { class: 'panel', 'aria-label': 'controls' }),
   };
   const grip = h('button', { type: 'button', class: 'grip', 'aria-label': 'open or close the controls', 'aria-expanded': 'false' }, h('span', {}));
   const side = h('div', { class: 'side' }, grip, h('header', {}, h('h1', {}, title), h('p', { class: 'note' }, facts)), parts.panel);
   grip.addEventListener('click', () => grip.setAttribute('aria-expanded', String(side.classList.toggle('open'))));
-  const view = h('main', { class: 'view' }, canvas, overlay.ticks, overlay.halves, overlay.knobs, overlay.labels, parts.tools, parts.compass, parts.card, parts.help, parts.status);
+  const view = h('main', { class: 'view' }, canvas, overlay.ticks, overlay.halves, overlay.knobs, overlay.labels, parts.tools, parts.compass, parts.help, parts.status);
   return { canvas, overlay, parts, view, side };
 }
 
