@@ -14,6 +14,7 @@
 #include "apps/deliver.h"
 #include "apps/memory_guard.h"
 #include "apps/progress.h"
+#include "apps/report_page.h"
 #include "boreholes/choose_interpolator.h"
 #include "boreholes/errors.h"
 #include "boreholes/plan_layout.h"
@@ -90,6 +91,7 @@ class Build {
         fail_if_unsound(record);
         const std::string json = write_record(folder, model, table.survey, record);
         folder.commit(replaced_files());
+        if (arguments_.wants("html")) write_report();
         progress_.clear();
         print_result(model, table.survey, record, json);
         if (!arguments_.deliver.empty())
@@ -413,11 +415,22 @@ class Build {
         write_aside(path, [&](std::ostream& stream) { stream << json; });
         if (!page.empty()) {
             progress_.step("writing the 3D page", kSolidsEnd);
-            const auto name = std::filesystem::absolute(arguments_.output).lexically_normal();
-            write_viewer(path.parent_path(), page,
-                         {.title = (name.has_filename() ? name : name.parent_path()).filename().string()});
+            write_viewer(path.parent_path(), page, {.title = title(), .report = "report.html"});
         }
         return json;
+    }
+
+    //! The folder's name.
+    std::string title() const {
+        const auto name = std::filesystem::absolute(arguments_.output).lexically_normal();
+        return (name.has_filename() ? name : name.parent_path()).filename().string();
+    }
+
+    void write_report() {
+        ReportChoices choices;
+        choices.title = title();
+        write_report_page(arguments_.output, std::filesystem::path(arguments_.output) / "report.html",
+                          choices, progress_);
     }
 
     static void fail_if_unsound(const ModelRecord& record) {

@@ -255,7 +255,8 @@ TEST_F(WriteViewer, command_writes_the_page_once) {
     const auto again = run_program(folder_, "view model");
     EXPECT_EQ(again.exit_code, 1);
     EXPECT_NE(again.err.find("--overwrite"), again.err.npos);
-    folder_.file("model/report.html", "");
+    EXPECT_NE(content_of(model() / "report.html").find("href=\"model.html\""), page.npos);
+    folder_.file("model/report.html", "the user's");
     const auto json_run = run_program(folder_, "view model --overwrite --json --title 'My site'");
     EXPECT_EQ(json_run.exit_code, 0) << json_run.err;
     EXPECT_EQ(json::parse(json_run.out)["bytes"], content_of(model() / "model.html").size());
@@ -263,6 +264,20 @@ TEST_F(WriteViewer, command_writes_the_page_once) {
     EXPECT_EQ(payload.header["report"], "report.html");
     EXPECT_EQ(payload.header["title"], "My site");
     EXPECT_GT(payload.header["units"][0]["volume"].get<double>(), 0);
+    EXPECT_EQ(content_of(model() / "report.html"), "the user's");
+    fs::remove(model() / "report.html");
+    ASSERT_EQ(run_program(folder_, "view model --overwrite --no-report").exit_code, 0);
+    ASSERT_EQ(run_program(folder_, "view model -o page.html").exit_code, 0);
+    EXPECT_FALSE(fs::exists(model() / "report.html") || fs::exists(folder_.path() / "report.html"));
+}
+
+TEST_F(WriteViewer, build_writes_page_and_report) {
+    ASSERT_EQ(run_program(folder_, "sample --holes 12 --layers 2 -o wells.csv").exit_code, 0);
+    const auto built = run_program(folder_, "build wells.csv -o wells --formats html --refine 0");
+    ASSERT_EQ(built.exit_code, 0) << built.err;
+    const Payload payload(inflated(from_base64(model_text(content_of(folder_.path() / "wells/model.html")))));
+    EXPECT_EQ(payload.header["report"], "report.html");
+    EXPECT_NE(content_of(folder_.path() / "wells/report.html").find("<h1>wells</h1>"), std::string::npos);
 }
 
 TEST_F(WriteViewer, command_says_what_is_wrong) {

@@ -77,6 +77,13 @@ test('on a phone: sheet, tap, drag', async () => {
   assert.ok(far(await phone.evaluate(() => window.stratareeb.stage.cameraState())) < 0.9 * far(turned));
   await phone.evaluate(() => window.stratareeb.stage.show('oblique'));
   await phone.screenshot({ path: path.join(pictures, 'phone.png') });
+  // A log stands below the model, not over it.
+  await phone.evaluate(() => window.stratareeb.settings.set({ hole: 10, holes: true }));
+  await phone.waitForSelector('.log:not([hidden])');
+  const [log, drawing, controls] = [await box('.log'), await box('canvas'), await box('.side')];
+  assert.ok(log.y >= drawing.y + drawing.height - 1 && log.y + log.height <= controls.y + 1);
+  assert.ok(drawing.height > 300);
+  await phone.screenshot({ path: path.join(pictures, 'phone_log.png') });
   assert.deepEqual(phone.said, []);
   await phone.context().close();
 });

@@ -96,9 +96,9 @@ test('a newcomer has a cut and a log after a key and a click', async (t) => {
     return { at: list[i], id: app.holes[app.pointer.near(list[i][0], list[i][1], 4).column.hole].id };
   });
   await tab.mouse.click(target.at[0] + 3, target.at[1] + 3); // nobody hits it exactly
-  await tab.waitForSelector('.card h2');
-  assert.equal(await tab.locator('.card h2').first().textContent(), target.id);
-  assert.ok((await tab.locator('.card tbody tr').count()) > 0);
+  await tab.waitForSelector('.log h2');
+  assert.equal(await tab.locator('.log h2').first().textContent(), target.id);
+  assert.ok((await tab.locator('.log tbody tr').count()) > 0);
   const colors = await tab.evaluate(() => {
     const app = window.stratareeb;
     return app.layersView.layers.filter(({ faces }) => faces.vertices > 0).length;

@@ -33,7 +33,7 @@ export function modelFolder(name) {
   mkdirSync(pictures, { recursive: true });
   rmSync(place, { recursive: true, force: true });
   run('build', ...kTables[name], '-o', place, '--interpolator', 'natural', '--quiet');
-  run('view', place, '--title', name);
+  run('view', place, '--title', name, '--no-report');
   return place;
 }
 

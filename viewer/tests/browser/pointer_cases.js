@@ -45,15 +45,15 @@ test('a borehole says its interval under the pointer and shows its log when clic
   await page.waitForSelector('.tip:not([hidden])');
   assert.match(await page.locator('.tip').textContent(), /^GBH04: topsoil, z 52\.61 to 51\.91, depth 0\.00–0\.70 m$/);
   await page.mouse.click(hole[0], hole[1]);
-  await page.waitForSelector('.card h2');
-  assert.equal(await page.locator('.card h2').first().textContent(), 'GBH04');
-  const rows = await page.locator('.card tbody tr').allTextContents();
+  await page.waitForSelector('.log h2');
+  assert.equal(await page.locator('.log h2').first().textContent(), 'GBH04');
+  const rows = await page.locator('.log tbody tr').allTextContents();
   assert.deepEqual(rows, ['topsoil0.000.70', 'made_ground0.706.40', 'clay6.4010.00', 'rock10.00>11.20']);
   await page.waitForSelector('.hole-tag:not([hidden])'); // with the next frame
   assert.equal(await page.locator('.hole-tag').textContent(), 'GBH04');
   await keep('log');
   await page.keyboard.press('Escape');
-  assert.equal(await page.locator('.card:not(.help)').isVisible(), false);
+  assert.equal(await page.locator('.log').isVisible(), false);
 });
 
 test('the handle drags the cut', async () => {
