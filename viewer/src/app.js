@@ -110,6 +110,7 @@ export class App {
     if (has('theme')) this.#updateTheme();
     if (has('palette')) this.#updateColors(values);
     if (has('explode', 'exaggeration')) this.#updatePlaces(values);
+    if (has('explode') && this.stage.view) this.stage.show(this.stage.view); // all stays in the picture until the reader turns it
     if (has('compare')) this.#updateCompare(values);
     if (has('hidden', 'opacity', 'faint', 'reeb', 'compare', 'explode')) this.#each((view) => view.setOpacities(values, this.#focus(values)));
     if (has('smooth', 'edges', 'compare')) this.#each((view) => view.setShading(values));

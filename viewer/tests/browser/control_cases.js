@@ -142,3 +142,29 @@ test('the picture is a PNG of twice the size', async () => {
   });
   assert.deepEqual(size.slice(0, 2), [2 * size[2], 2 * size[3]]);
 });
+
+test('what is pulled apart stays in the picture until the reader turns it', async () => {
+  await reset();
+  const seen = () =>
+    page.evaluate(() => {
+      const app = window.stratareeb;
+      app.stage.draw();
+      const { low, high } = app.box;
+      const corners = [0, 1, 2, 3].flatMap((i) => [high[2] + app.lift[0], low[2]].map((z) => [i & 1 ? high[0] : low[0], i & 2 ? high[1] : low[1], z]));
+      const [width, height] = app.stage.size;
+      return corners.map((p) => app.project(p)).every(([x, y]) => x > 0 && y > 0 && x < width && y < height);
+    });
+  assert.ok(await seen());
+  await set({ explode: 1 });
+  assert.ok(await seen());
+  const turned = await page.evaluate(() => {
+    const app = window.stratareeb;
+    const { controls } = app.stage;
+    controls.dispatchEvent({ type: 'start' });
+    const before = app.stage.cameraState().join();
+    app.settings.set({ explode: 0.5 });
+    return [app.stage.view, before === app.stage.cameraState().join()];
+  });
+  assert.deepEqual(turned, [null, true]);
+  await reset();
+});
