@@ -103,7 +103,8 @@ class NetCdf {
         text(*unit, "long_name", "number of the layer, 1 = top");
         flags(*unit, units);
         if (crs != nullptr && !unit->SetSpatialRef(crs)) fail(file_);
-        write_units(*unit);
+        stored_type(units) == GDT_Byte ? write_units<std::uint8_t>(*unit, GDT_Byte)
+                                       : write_units<std::uint16_t>(*unit, GDT_UInt16);
     }
 
  private:
@@ -151,20 +152,22 @@ class NetCdf {
         text(unit, "flag_meanings", meanings);
     }
 
-    //! y ascends in the file, rows descend in the block.
-    void write_units(GDALMDArray& unit) {
+    //! y ascends in the file, rows descend in the block. In the type that is stored: any other is written value by value.
+    template <class Number>
+    void write_units(GDALMDArray& unit, GDALDataType type) {
         const PlanGrid& plan = block_.plan;
-        std::vector<std::uint16_t> level(block_.cells_per_level());
+        std::vector<Number> level(block_.cells_per_level());
         for (std::size_t k = 0; k < block_.levels; ++k) {
             for (std::size_t row = 0; row < plan.rows; ++row) {
                 const auto* from = block_.units.data() + (k * plan.rows + row) * plan.columns;
-                std::copy(from, from + plan.columns,
-                          level.begin() + static_cast<std::ptrdiff_t>((plan.rows - 1 - row) * plan.columns));
+                std::transform(
+                    from, from + plan.columns,
+                    level.begin() + static_cast<std::ptrdiff_t>((plan.rows - 1 - row) * plan.columns),
+                    [](auto number) { return static_cast<Number>(number); });
             }
             const GUInt64 start[] = {k, 0, 0};
             const std::size_t count[] = {1, plan.rows, plan.columns};
-            if (!unit.Write(start, count, nullptr, nullptr, GDALExtendedDataType::Create(GDT_UInt16),
-                            level.data()))
+            if (!unit.Write(start, count, nullptr, nullptr, GDALExtendedDataType::Create(type), level.data()))
                 fail(file_);
         }
     }
