@@ -319,7 +319,7 @@ class GraphOfMesh {
                      high = below == contours.size() ? top : contours[below].z;
         const bool is_first = below == 0, is_last = below == contours.size();
         const double share = is_first == is_last ? kHalf : is_first ? end_share : 1 - end_share;
-        const double z = low + share * (high - low);
+        const double z = height_between(low, high, share);
         if (!(high - low > kLeastGap * (top - bottom)) || !(low < z && z < high) ||
             !(high - low > kLeastRise * std::max(std::abs(low), std::abs(high))) ||
             contours.size() >= options_.most_per_arc)
@@ -328,6 +328,21 @@ class GraphOfMesh {
         if (!make_sound(contour)) return false;
         contours.insert(contours.begin() + static_cast<std::ptrdiff_t>(below), std::move(contour));
         return true;
+    }
+
+    //! The middle; in a thin slice the vertex's height closest to it, since between vertices contours cross the same edges.
+    double height_between(double low, double high, double share) {
+        const double middle = low + share * (high - low);
+        if (share != kHalf) return middle;
+        if (heights_.empty()) {
+            heights_.assign(field_.begin(), field_.end());
+            std::ranges::sort(heights_);
+        }
+        const auto first = std::ranges::upper_bound(heights_, low);
+        const auto last = std::ranges::lower_bound(heights_, high);
+        if (first >= last || last - first > kFewVertices) return middle;
+        return *std::ranges::min_element(first, last, {},
+                                         [middle](double z) { return std::abs(z - middle); });
     }
 
     void add_edges() {
@@ -367,12 +382,13 @@ class GraphOfMesh {
     static constexpr double kNearEnd = 0.3;  // contours spread beside a node like the root of the height
     static constexpr double kShareOfTolerance =
         0.8;  // places between those asked, and joining otherwise, may be farther
-    static constexpr double kLeastRise = 1e-12;  // of heights: rounding would make edges fall
+    static constexpr double kLeastRise = 1e-12;        // of heights: rounding would make edges fall
+    static constexpr std::ptrdiff_t kFewVertices = 8;  // in a thin slice
     static constexpr std::size_t kNearRounds = 12;
     static constexpr std::size_t kQuickRounds = 2;
     static constexpr std::size_t kCrossingsLookedAt = 5000;  // pairs of triangles
     static constexpr double kMostCut = 0.05;                 // of a contour's length
-    static constexpr double kLeastGap = 1e-3;                // of an edge's height, between contours
+    static constexpr double kLeastGap = 1e-4;                // of an edge's height, between contours
     static constexpr double kNearNode = 1e-6;  // of an edge's height: no contour within is closer to its ends
 
     const TriMesh& mesh_;
@@ -384,6 +400,7 @@ class GraphOfMesh {
     const MeshContours mesh_contours_;
     const std::vector<double> levels_;
     std::optional<FarPlaces> far_;    // if there is a tolerance
+    std::vector<double> heights_;     // of all vertices, ascending
     std::vector<Contours> contours_;  // by edge, bottom to top
     SurfaceMemory memory_;
     EnhancedReebGraph result_;
