@@ -127,10 +127,12 @@ class Build {
             return;
         }
         progress_.step("choosing the interpolator", 0);
+        const FaultBlocks blocks = blocks_between_faults(survey);
         ChooseOptions options{.pinch_out = pinch_out_rule(arguments_.pinch_out),
                               .terrain = terrain(),
                               .rules = arguments_.rules.of(survey.units),
-                              .block = blocks_between_faults(survey),
+                              .block = blocks.block_of,
+                              .ties = blocks.ties,
                               .bare = arguments_.spacing == "none",
                               .progress = [this](double share) {
                                   progress_.step("choosing the interpolator", share * kReadEnd);
@@ -140,9 +142,9 @@ class Build {
         notes_.push_back(choice_->reason);
     }
 
-    std::vector<std::uint32_t> blocks_between_faults(const Survey& survey) const {
+    FaultBlocks blocks_between_faults(const Survey& survey) const {
         if (arguments_.faults.empty()) return {};
-        return fault_blocks_of(survey, read_faults(arguments_.faults), footprint(survey)).block_of;
+        return fault_blocks_of(survey, read_faults(arguments_.faults), footprint(survey));
     }
 
     std::function<std::optional<double>(const Point2&)> terrain() const {

@@ -68,7 +68,8 @@ class Validate {
 
         progress_.step("reading boreholes", 0);
         const BoreholeTable table = read(arguments_.table.tables);
-        block_ = blocks_of(table.survey);
+        if (!arguments_.faults.empty())
+            faults_ = fault_blocks_of(table.survey, read_faults(arguments_.faults));
         const std::vector<Draw> draws = draws_of(table.survey.holes.size());
         std::vector<NamedValidation> validations;
         for (const InterpolatorKind kind : kinds_for(table.survey))
@@ -105,7 +106,8 @@ class Validate {
             .pinch_out = pinch_out_rule(arguments_.pinch_out),
             .terrain = terrain(),
             .rules = arguments_.rules.of(survey.units),
-            .block = block_,
+            .block = faults_.block_of,
+            .ties = faults_.ties,
             .bare = arguments_.bare,
             .progress = [this](double share) { progress_.step("choosing the interpolator", share); }};
         choice_ = choose_interpolator(survey, options);
@@ -115,14 +117,6 @@ class Validate {
     std::function<std::optional<double>(const Point2&)> terrain() const {
         if (!terrain_) return {};
         return [this](const Point2& p) { return terrain_->sample(p.x, p.y); };
-    }
-
-    //! By hole, as `build` parts the holes' hull.
-    std::vector<std::uint32_t> blocks_of(const Survey& survey) {
-        if (arguments_.faults.empty()) return {};
-        FaultBlocks blocks = fault_blocks_of(survey, read_faults(arguments_.faults));
-        notes_ = std::move(blocks.notes);
-        return std::move(blocks.block_of);
     }
 
     BoreholeTable read(const std::vector<std::string>& tables) const {
@@ -153,7 +147,8 @@ class Validate {
         options.hold_out.prediction.rules = arguments_.rules.of(survey.units);
         options.hold_out.prediction.terrain = terrain();
         options.hold_out.bare = arguments_.bare;
-        options.hold_out.block = block_;
+        options.hold_out.block = faults_.block_of;
+        options.hold_out.ties = faults_.ties;
         options.hold_out.progress = [this, kind](double share) {
             progress_.step(fmt::format("predicting by {}", name_of(kind)), share);
         };
@@ -170,7 +165,7 @@ class Validate {
                                 .law = arguments_.law == MeanLaw::Normal ? "normal" : "t"};
         for (const Finding& finding : table.audit.findings())
             record.warnings.push_back(finding_line(finding));
-        record.warnings.insert(record.warnings.end(), notes_.begin(), notes_.end());
+        record.warnings.insert(record.warnings.end(), faults_.notes.begin(), faults_.notes.end());
         const auto few = [](const ItemValidation& item) { return item.errors.count > 0 && !item.certain; };
         const Validation& first = validations.front().result;
         if (std::ranges::any_of(first.layers, few) || std::ranges::any_of(first.horizons, few))
@@ -323,8 +318,7 @@ class Validate {
     Progress progress_;
     std::optional<Raster> terrain_;
     std::optional<InterpolatorChoice> choice_;  // by `auto`
-    std::vector<std::uint32_t> block_;          // between faults, by hole; empty = no faults
-    std::vector<std::string> notes_;
+    FaultBlocks faults_;                        // as `build` parts the holes' hull; empty = no faults
 };
 
 void add_hold_out_options(CLI::App& command, ValidateArguments& arguments) {

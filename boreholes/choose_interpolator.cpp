@@ -98,6 +98,7 @@ std::vector<std::vector<HeldOutHole>> held_out(const Survey& survey, const std::
         hold.prediction.terrain = options.terrain;
         hold.prediction.rules = options.rules;
         hold.block = options.block;
+        hold.ties = options.ties;
         const auto done = static_cast<double>(result.size());
         if (options.progress)
             hold.progress = [&options, done](double share) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "boreholes/block_ties.h"
 #include "boreholes/borehole.h"
 #include "boreholes/interpolator.h"
 #include "boreholes/layer_rules.h"
@@ -28,6 +29,7 @@ struct ChooseOptions {
     std::function<std::optional<double>(const Point2&)> terrain = {};
     LayerRules rules = {};
     std::vector<std::uint32_t> block = {};  // by hole, see HoldOutOptions
+    std::vector<BlockTie> ties = {};        // see HoldOutOptions
     bool bare = false;
     //! Called with the share done, from one thread at a time, but from different ones.
     std::function<void(double share)> progress = {};

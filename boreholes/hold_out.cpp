@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "boreholes/block_survey.h"
+#include "boreholes/block_ties.h"
 #include "boreholes/errors.h"
 #include "boreholes/predict_columns.h"
 
@@ -51,18 +52,34 @@ std::vector<HeldOutHole> predicted_from(const Survey& known, const Survey& surve
     return result;
 }
 
+//! The columns of ties that count for some blocks, predicted from the holes that are left.
+std::vector<std::vector<Borehole>> ties_without(const Rest& rest, const std::map<std::uint32_t, Draw>& asked,
+                                                const HoldOutOptions& options) {
+    std::vector<BlockTie> ties;
+    for (const BlockTie& tie : options.ties)
+        if (std::ranges::any_of(tie.to, [&](std::uint32_t block) { return asked.contains(block); }))
+            ties.push_back(tie);
+    if (ties.empty()) return {};
+    std::vector<std::uint32_t> block_of;
+    for (const std::size_t h : rest.hole) block_of.push_back(options.block[h]);
+    return tie_columns(rest.survey, block_of, ties, options.prediction, options.bare);
+}
+
 std::vector<HeldOutHole> predicted(const Survey& survey, const Draw& draw, const HoldOutOptions& options) {
     const Rest rest = without(survey, draw);
     if (options.block.empty()) return predicted_from(rest.survey, survey, draw, options);
     std::map<std::uint32_t, Draw> asked;
     std::map<std::size_t, HeldOutHole> found;
     for (const std::size_t h : draw) asked[options.block.at(h)].push_back(h);
+    const auto ties = ties_without(rest, asked, options);
     for (const auto& [block, holes] : asked) {
         std::vector<std::uint32_t> own;
         for (std::uint32_t i = 0; i < rest.hole.size(); ++i)
             if (options.block[rest.hole[i]] == block) own.push_back(i);
         std::vector<std::string> notes;
-        const Survey known = survey_of_block(rest.survey, own, notes);
+        Survey known = survey_of_block(rest.survey, own, notes);
+        if (block < ties.size())
+            known.holes.insert(known.holes.end(), ties[block].begin(), ties[block].end());
         for (HeldOutHole& hole : predicted_from(known, survey, holes, options))
             found[hole.hole] = std::move(hole);
     }

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "boreholes/block_ties.h"
 #include "boreholes/borehole.h"
 #include "boreholes/complete_columns.h"
 #include "boreholes/hold_out_draws.h"
@@ -18,6 +19,7 @@ struct HoldOutOptions {
     bool bare = false;  // see ColumnPredictor
     //! Block between faults, by hole: a hole is predicted from its own block's holes alone (block_survey.h). Empty = no faults.
     std::vector<std::uint32_t> block;
+    std::vector<BlockTie> ties;  // where faults die out between blocks
     //! Called with the share of draws done, from one thread at a time, but from different ones.
     std::function<void(double share)> progress;
 };

@@ -16,6 +16,7 @@
 
 #include "boreholes/errors.h"
 #include "mesh/clip_lines.h"
+#include "mesh/tie_blocks.h"
 
 namespace stratareeb {
 
@@ -53,9 +54,10 @@ class BlockPartition {
  public:
     BlockPartition(const Footprint& footprint, const FaultTraces& traces, const std::vector<Point2>& holes)
         : holes_(holes), extent_(extent_of(footprint)) {
-        JoinedTraces joined = joined_traces(footprint, traces);
+        JoinedTraces joined = joined_traces(footprint, traces, holes);
         traces_ = std::move(joined.traces);
         result_.notes = std::move(joined.notes);
+        result_.ways_on = std::move(joined.ways_on);
         PlanLines lines;
         for (const auto& trace : traces_)
             for (std::size_t i = 0; i + 1 < trace.size(); ++i) {
@@ -75,10 +77,16 @@ class BlockPartition {
         assign_holes();
         join_empty_regions();
         number_blocks();
+        tie_blocks(result_, mean_gap());
         return std::move(result_);
     }
 
  private:
+    //! Between neighbouring holes.
+    double mean_gap() const {
+        return std::sqrt(area(footprint_) / static_cast<double>(std::max<std::size_t>(1, holes_.size())));
+    }
+
     void check_holes() const {
         for (std::size_t h = 0; h < holes_.size(); ++h)
             for (const auto& [a, b] : lines_.segments)

@@ -7,8 +7,10 @@
 #include <cmath>
 
 #include "boreholes/block_survey.h"
+#include "boreholes/block_ties.h"
 #include "boreholes/errors.h"
 #include "mesh/join_blocks.h"
+#include "mesh/tie_blocks.h"
 
 namespace stratareeb {
 
@@ -40,9 +42,13 @@ Footprint with_short_sides(const Footprint& outline, double spacing) {
     return result;
 }
 
+Point2 relative(const Point2& p, const Point3& origin) {
+    return {p.x - origin.x, p.y - origin.y};
+}
+
 Footprint relative(Footprint footprint, const Point3& origin) {
     for (auto& ring : footprint)
-        for (Point2& p : ring) p = {p.x - origin.x, p.y - origin.y};
+        for (Point2& p : ring) p = relative(p, origin);
     return footprint;
 }
 
@@ -68,6 +74,9 @@ LayerModel build_faulted_model(const Survey& survey, const FaultTraces& traces, 
     std::vector<std::vector<std::uint32_t>> holes(parts.outline.size());
     for (std::uint32_t h = 0; h < parts.block_of.size(); ++h) holes[parts.block_of[h]].push_back(h);
 
+    const auto ties = tie_columns(survey, parts.block_of, parts.ties,
+                                  {options.interpolator, options.pinch_out, options.terrain, options.rules},
+                                  *options.spacing == 0);
     std::vector<LayerModel> blocks;
     std::vector<Footprint> outlines;
     for (std::size_t b = 0; b < parts.outline.size(); ++b) {
@@ -75,7 +84,8 @@ LayerModel build_faulted_model(const Survey& survey, const FaultTraces& traces, 
         outlines.push_back(relative(*options.footprint, *options.origin));
         try {
             std::vector<std::string> notes;
-            const Survey part = survey_of_block(survey, holes[b], notes);
+            Survey part = survey_of_block(survey, holes[b], notes);
+            if (b < ties.size()) part.holes.insert(part.holes.end(), ties[b].begin(), ties[b].end());
             LayerModel block = build_layer_model(part, options);
             block.notes.insert(block.notes.begin(), notes.begin(), notes.end());
             blocks.push_back(finish ? finish(std::move(block)) : std::move(block));
@@ -85,7 +95,10 @@ LayerModel build_faulted_model(const Survey& survey, const FaultTraces& traces, 
                                            holes[b].size(), at.x, at.y, error.what()));
         }
     }
-    LayerModel model = join_blocks(std::move(blocks), outlines, holes);
+    std::vector<WayOn> ways_on;
+    for (const WayOn& way : parts.ways_on)
+        ways_on.push_back({relative(way.tip, *options.origin), relative(way.end, *options.origin)});
+    LayerModel model = join_blocks(std::move(blocks), outlines, holes, {ways_on, way_on_tolerance(parts)});
     model.notes.insert(model.notes.begin(), parts.notes.begin(), parts.notes.end());
     return model;
 }

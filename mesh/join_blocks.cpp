@@ -6,10 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
+#include <set>
 
 #include "boreholes/errors.h"
 #include "mesh/block_border.h"
+#include "mesh/fault_seams.h"
+#include "mesh/soup_topology.h"
 
 namespace stratareeb {
 
@@ -35,13 +39,33 @@ struct BlockVertex {
 //! to the left.
 struct Seam {
     std::uint32_t first = 0, second = 0;
+    bool is_fault = true;
     std::vector<std::array<std::uint32_t, 2>> vertices;
+};
+
+//! Vertices of blocks that are one, by the least of them.
+class OneVertex {
+ public:
+    using Key = std::pair<std::uint32_t, std::uint32_t>;
+
+    Key root(Key v) const {
+        for (auto it = parent_.find(v); it != parent_.end(); it = parent_.find(v)) v = it->second;
+        return v;
+    }
+    void join(const Key& a, const Key& b) {
+        const auto [low, high] = std::minmax({root(a), root(b)});
+        if (low != high) parent_.emplace(high, low);
+    }
+    const std::map<Key, Key>& joined() const { return parent_; }
+
+ private:
+    std::map<Key, Key> parent_;
 };
 
 class BlockJoiner {
  public:
-    BlockJoiner(std::vector<LayerModel> blocks, const std::vector<Footprint>& outline)
-        : blocks_(std::move(blocks)) {
+    BlockJoiner(std::vector<LayerModel> blocks, const std::vector<Footprint>& outline, const BlocksInOne& one)
+        : blocks_(std::move(blocks)), one_(one), apart_(blocks_.size(), 0) {
         double low = 0, high = 0;
         for (const auto& footprint : outline)
             for (const auto& ring : footprint)
@@ -60,8 +84,12 @@ class BlockJoiner {
                 note_place({seam.first, a});
                 note_place({seam.second, b});
             }
+        level_ways_on();
         for (const auto& [place, vertices] : places_) equal_levels(vertices);
         for (Seam& seam : seams_) insert_crossings(seam);
+        join_ways_on();
+        LayerModel model = joined(holes);
+        if (joined_.joined().empty() || !part_again(model)) return model;
         return joined(holes);
     }
 
@@ -86,7 +114,9 @@ class BlockJoiner {
                         continue;
                     }
                     pending_.push_back({*other->second.second, borders_[b].side(r, k)});
-                    seams_.push_back({other->second.first, b, {}});
+                    const bool is_fault = std::ranges::none_of(
+                        one_.ways_on, [&](const WayOn& way) { return way.holds(p, q, one_.tolerance); });
+                    seams_.push_back({other->second.first, b, is_fault, {}});
                 }
     }
 
@@ -105,6 +135,11 @@ class BlockJoiner {
         std::size_t i = 0, j = 0;
         seam.vertices.push_back({ours[0], theirs[0]});
         while (i + 1 < ours.size() || j + 1 < theirs.size()) {
+            if (i + 1 == ours.size() || j + 1 == theirs.size())
+                throw GeometryError(
+                    fmt::format("a pinch-out line meets a fault too close to a corner near x {:.10g}, y "
+                                "{:.10g} (give another --spacing)",
+                                to.first + blocks_[0].origin.x, to.second + blocks_[0].origin.y));
             const bool end_i = i + 2 >= ours.size(), end_j = j + 2 >= theirs.size();
             const double a = end_i ? 1 : share_along({seam.first, ours[i + 1]}, from, to);
             const double b = end_j ? 1 : share_along({seam.second, theirs[j + 1]}, from, to);
@@ -141,6 +176,142 @@ class BlockJoiner {
 
     double& level(const BlockVertex& v, std::size_t k) { return blocks_[v.block].horizons[k][v.vertex]; }
     std::size_t horizons() const { return blocks_[0].horizons.size(); }
+
+    bool has_same_layers(const BlockVertex& a, const BlockVertex& b) const {
+        return blocks_[a.block].regions.zero_at[a.vertex] == blocks_[b.block].regions.zero_at[b.vertex];
+    }
+
+    //! Where no fault is, the two sides are at the mean of their elevations.
+    void level_ways_on() {
+        OneVertex one;
+        for (const Seam& seam : seams_)
+            for (const auto& [a, b] : seam.vertices)
+                if (!seam.is_fault && has_same_layers({seam.first, a}, {seam.second, b}))
+                    one.join({seam.first, a}, {seam.second, b});
+        std::map<OneVertex::Key, std::vector<BlockVertex>> groups;
+        for (const auto& [v, parent] : one.joined()) {
+            auto& group = groups[one.root(v)];
+            if (group.empty()) group.push_back({one.root(v).first, one.root(v).second});
+            group.push_back({v.first, v.second});
+        }
+        for (const auto& [root, group] : groups)
+            for (std::size_t k = 0; k < horizons(); ++k) {
+                double sum = 0;
+                for (const BlockVertex& v : group) sum += level(v, k);
+                for (const BlockVertex& v : group) level(v, k) = sum / static_cast<double>(group.size());
+            }
+    }
+
+    bool is_same(const BlockVertex& a, const BlockVertex& b) {
+        bool same = has_same_layers(a, b);
+        for (std::size_t k = 0; k < horizons() && same; ++k) same = level(a, k) == level(b, k);
+        return same;
+    }
+
+    //! The two sides of a way on become one, but for pieces that would meet themselves across a corner, where faults cross: a
+    //! solid could touch itself in a vertical edge there.
+    void join_ways_on() {
+        join_seams();
+        const std::vector<std::uint32_t> piece = pieces();
+        std::set<std::pair<OneVertex::Key, OneVertex::Key>> neighbours;
+        for (const Seam& seam : seams_)
+            for (const auto& [a, b] : seam.vertices)
+                neighbours.insert(
+                    std::minmax({joined_.root({seam.first, a}), joined_.root({seam.second, b})}));
+        std::vector<char> apart(blocks_.size(), 0);
+        for (const auto& [place, vertices] : places_)
+            for (const BlockVertex& v : vertices)
+                for (const BlockVertex& w : vertices) {
+                    if (v.block >= w.block || piece[v.block] != piece[w.block]) continue;
+                    const auto a = joined_.root({v.block, v.vertex}), b = joined_.root({w.block, w.vertex});
+                    if (a != b && !neighbours.contains(std::minmax({a, b}))) apart[piece[v.block]] = 1;
+                }
+        for (const std::uint32_t b : blocks_touching_in_vertices()) apart[piece[b]] = 1;
+        part(apart, piece);
+    }
+
+    //! Blocks at vertices of the joined plan around which the triangles form several fans.
+    std::vector<std::uint32_t> blocks_touching_in_vertices() const {
+        TriangleSoup soup;
+        std::vector<std::uint32_t> block;  // by triangle
+        std::map<OneVertex::Key, std::uint32_t> number;
+        for (std::uint32_t b = 0; b < blocks_.size(); ++b)
+            for (const auto f : blocks_[b].plan.surface.faces()) {
+                auto& triangle = soup.triangles.emplace_back();
+                std::size_t k = 0;
+                for (const auto v : blocks_[b].plan.surface.fv_range(f)) {
+                    const auto key = joined_.root({b, static_cast<std::uint32_t>(v.idx())});
+                    triangle[k++] =
+                        number.try_emplace(key, static_cast<std::uint32_t>(number.size())).first->second;
+                }
+                block.push_back(b);
+            }
+        soup.points.resize(number.size());
+        const SoupTopology topology = soup_topology(soup);
+        std::vector<std::uint32_t> fan(soup.points.size(), SoupTopology::kNone), touching;
+        for (std::uint32_t corner = 0; corner < 3 * soup.triangles.size(); ++corner) {
+            auto& known = fan[vertex_at(soup, corner)];
+            if (known == SoupTopology::kNone) known = topology.fan_of_corner[corner];
+            if (known != topology.fan_of_corner[corner]) touching.push_back(block[corner / 3]);
+        }
+        return touching;
+    }
+
+    //! Pieces with a solid that touches itself are left apart along ways on.
+    bool part_again(const LayerModel& model) {
+        const std::vector<std::uint32_t> piece = pieces();
+        std::vector<std::uint32_t> blocks_of(blocks_.size(), 0);
+        for (const std::uint32_t p : piece) ++blocks_of[p];
+        std::vector<char> apart(blocks_.size(), 0);
+        bool any = false;
+        std::size_t face = 0;
+        for (std::uint32_t b = 0; b < blocks_.size(); face += blocks_[b++].plan.surface.n_faces()) {
+            if (piece[b] != b || blocks_of[b] < 2) continue;
+            for (std::size_t i = 0; i < model.units.size() && !apart[b]; ++i)
+                apart[b] = touches_itself(model, i, model.seams.block[face]);
+            any = any || apart[b];
+        }
+        if (any) part(apart, piece);
+        return any;
+    }
+
+    void part(const std::vector<char>& apart, const std::vector<std::uint32_t>& piece) {
+        for (std::size_t b = 0; b < piece.size(); ++b)
+            if (apart[piece[b]]) apart_[b] = 1;
+        joined_ = {};
+        number_.clear();
+        join_seams();
+    }
+
+    //! But for those of blocks that stay apart.
+    void join_seams() {
+        for (const Seam& seam : seams_)
+            for (std::size_t i = 0; i + 1 < seam.vertices.size() && !seam.is_fault; ++i) {
+                const auto [a, b] = seam.vertices[i];
+                const auto [c, d] = seam.vertices[i + 1];
+                if (apart_[seam.first] || !is_same({seam.first, a}, {seam.second, b}) ||
+                    !is_same({seam.first, c}, {seam.second, d}))
+                    continue;
+                joined_.join({seam.first, a}, {seam.second, b});
+                joined_.join({seam.first, c}, {seam.second, d});
+            }
+    }
+
+    //! By block: the least block of its piece.
+    std::vector<std::uint32_t> pieces() const {
+        std::vector<std::uint32_t> piece(blocks_.size());
+        std::iota(piece.begin(), piece.end(), 0u);
+        const auto least = [&](std::uint32_t b) {
+            while (piece[b] != b) b = piece[b];
+            return b;
+        };
+        for (const auto& [v, parent] : joined_.joined()) {
+            const auto [low, high] = std::minmax({least(v.first), least(parent.first)});
+            piece[high] = low;
+        }
+        for (std::uint32_t b = 0; b < piece.size(); ++b) piece[b] = least(b);
+        return piece;
+    }
 
     //! Elevations of several blocks at one place that differ by rounding alone become the same number; horizons of one block
     //! that are apart stay apart.
@@ -218,62 +389,45 @@ class BlockJoiner {
         model.spacing = blocks_[0].spacing;
         model.horizons.resize(horizons());
         model.columns.thickness.resize(model.units.size());
-        std::vector<std::uint32_t> first;
-        for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
-            first.push_back(static_cast<std::uint32_t>(model.plan.surface.n_vertices()));
-            append(model, b, first[b], holes[b]);
-        }
-        model.seams.blocks = blocks_.size();
-        model.seams.levels.resize(model.plan.surface.n_vertices());
-        for (const auto& [place, vertices] : places_) {
-            std::vector<double> levels;
-            for (const BlockVertex& v : vertices)
-                for (std::size_t k = 0; k < horizons(); ++k) levels.push_back(level(v, k));
-            std::ranges::sort(levels);
-            levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
-            for (const BlockVertex& v : vertices) model.seams.levels[first[v.block] + v.vertex] = levels;
-        }
-        for (const Seam& seam : seams_)
-            for (std::size_t i = 0; i + 1 < seam.vertices.size(); ++i) {
-                const std::uint32_t a = first[seam.first] + seam.vertices[i][0],
-                                    b = first[seam.second] + seam.vertices[i][1],
-                                    c = first[seam.first] + seam.vertices[i + 1][0],
-                                    d = first[seam.second] + seam.vertices[i + 1][1];
-                model.seams.across[{a, c}] = {b, d};
-                model.seams.across[{d, b}] = {c, a};
-            }
+        for (std::uint32_t b = 0; b < blocks_.size(); ++b) append(model, b, holes[b]);
+        model.seams = seams_of_pieces(model.plan.surface, model.horizons);
         return model;
     }
 
-    void append(LayerModel& model, std::uint32_t b, std::uint32_t first,
-                const std::vector<std::uint32_t>& holes) {
+    void append(LayerModel& model, std::uint32_t b, const std::vector<std::uint32_t>& holes) {
         const LayerModel& block = blocks_[b];
         TriMesh& mesh = model.plan.surface;
-        const auto shifted = [&](TriMesh::VertexHandle v) {
-            return handle(first + static_cast<std::uint32_t>(v.idx()));
-        };
-        for (const auto v : block.plan.surface.vertices()) mesh.add_vertex(block.plan.surface.point(v));
+        auto& number = number_.emplace_back();
+        for (const auto v : block.plan.surface.vertices()) {
+            const auto i = static_cast<std::uint32_t>(v.idx());
+            const auto [of_block, of_vertex] = joined_.root({b, i});
+            if (of_block != b || of_vertex != i) {
+                number.push_back(number_[of_block][of_vertex]);
+                continue;
+            }
+            number.push_back(static_cast<std::uint32_t>(mesh.n_vertices()));
+            mesh.add_vertex(block.plan.surface.point(v));
+            for (std::size_t k = 0; k < horizons(); ++k) model.horizons[k].push_back(block.horizons[k][i]);
+            model.regions.zero_at.push_back(block.regions.zero_at[i]);
+        }
         for (const auto f : block.plan.surface.faces()) {
             auto corner = block.plan.surface.cfv_ccwbegin(f);
-            const auto u = shifted(*corner), v = shifted(*++corner), w = shifted(*++corner);
-            mesh.add_face(u, v, w);
-            model.seams.block.push_back(b);
+            const auto next = [&] { return handle(number[static_cast<std::size_t>((corner++)->idx())]); };
+            const auto u = next(), v = next(), w = next();
+            if (!mesh.add_face(u, v, w).is_valid())
+                throw GeometryError(fmt::format("blocks can't be joined near x {:.10g}, y {:.10g}",
+                                                mesh.point(u)[0] + model.origin.x,
+                                                mesh.point(u)[1] + model.origin.y));
+            model.regions.in_face.push_back(block.regions.in_face[static_cast<std::size_t>(f.idx())]);
         }
-        for (std::size_t k = 0; k < horizons(); ++k)
-            model.horizons[k].insert(model.horizons[k].end(), block.horizons[k].begin(),
-                                     block.horizons[k].end());
-        auto& regions = model.regions;
-        regions.in_face.insert(regions.in_face.end(), block.regions.in_face.begin(),
-                               block.regions.in_face.end());
-        regions.zero_at.insert(regions.zero_at.end(), block.regions.zero_at.begin(),
-                               block.regions.zero_at.end());
-        regions.opened += block.regions.opened;
+        model.regions.opened += block.regions.opened;
         for (const std::string& note : block.notes)
             model.notes.push_back(fmt::format("block {}: {}", b + 1, note));
-        place_holes(model, block, first, holes);
+        place_holes(model, block, number, holes);
     }
 
-    static void place_holes(LayerModel& model, const LayerModel& block, std::uint32_t first,
+    static void place_holes(LayerModel& model, const LayerModel& block,
+                            const std::vector<std::uint32_t>& number,
                             const std::vector<std::uint32_t>& holes) {
         std::size_t count = model.plan.hole_vertex.size();
         for (const std::uint32_t h : holes) count = std::max<std::size_t>(count, h + 1);
@@ -283,7 +437,7 @@ class BlockJoiner {
         for (auto& layer : model.columns.thickness) layer.resize(count);
         for (std::size_t i = 0; i < holes.size(); ++i) {
             const auto v = block.plan.hole_vertex[i];
-            if (v != PlanMesh::kNoVertex) model.plan.hole_vertex[holes[i]] = first + v;
+            if (v != PlanMesh::kNoVertex) model.plan.hole_vertex[holes[i]] = number[v];
             model.columns.sites[holes[i]] = block.columns.sites[i];
             model.columns.ground[holes[i]] = block.columns.ground[i];
             for (std::size_t k = 0; k < model.columns.thickness.size(); ++k)
@@ -292,19 +446,23 @@ class BlockJoiner {
     }
 
     std::vector<LayerModel> blocks_;
+    const BlocksInOne& one_;
     double extent_ = 0;
     std::vector<BlockBorder> borders_;
     std::vector<Seam> seams_;
     std::vector<std::array<std::vector<std::uint32_t>, 2>>
         pending_;  // by seam: vertices of both sides before they match
     std::map<Place, std::vector<BlockVertex>> places_;
+    OneVertex joined_;
+    std::vector<char> apart_;                         // by block: not to be joined with others
+    std::vector<std::vector<std::uint32_t>> number_;  // by block and vertex: the one of the whole model
 };
 
 }  // namespace
 
 LayerModel join_blocks(std::vector<LayerModel> blocks, const std::vector<Footprint>& outline,
-                       const std::vector<std::vector<std::uint32_t>>& holes) {
-    return BlockJoiner(std::move(blocks), outline).run(holes);
+                       const std::vector<std::vector<std::uint32_t>>& holes, const BlocksInOne& one) {
+    return BlockJoiner(std::move(blocks), outline, one).run(holes);
 }
 
 }  // namespace stratareeb

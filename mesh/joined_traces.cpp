@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -13,9 +14,11 @@ namespace stratareeb {
 
 namespace {
 
-constexpr double kOvershoot =
-    0.02;  // of the footprint's extent: ends no longer than that beyond a crossing are cut
+// Of the footprint's extent: ends no longer than that beyond a crossing are cut, and no shorter than that before it led on.
+constexpr double kSlip = 0.02;
 constexpr double kTouches = 1e-9;  // of the footprint's extent
+constexpr double kClear = 1e-3;    // of the footprint's extent: how far ways on stay from holes
+constexpr int kMostTurns = 20;     // of two degrees, for that
 constexpr double kBeyond = 1e-8;  // of the footprint's extent: joined ends cross what they end at for certain
 
 struct Segment {
@@ -51,8 +54,8 @@ std::optional<double> meets(const Point2& p, const Point2& direction, const Segm
 
 class TraceJoiner {
  public:
-    TraceJoiner(const Footprint& footprint, FaultTraces traces)
-        : footprint_(footprint), traces_(std::move(traces)) {
+    TraceJoiner(const Footprint& footprint, FaultTraces traces, const std::vector<Point2>& holes)
+        : footprint_(footprint), traces_(std::move(traces)), holes_(holes) {
         double x0 = footprint[0][0].x, x1 = x0, y0 = footprint[0][0].y, y1 = y0;
         for (const auto& ring : footprint)
             for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -70,7 +73,7 @@ class TraceJoiner {
             for (const bool at_front : {true, false}) cut_overshoot(t, at_front);
         for (std::size_t t = 0; t < traces_.size(); ++t)
             for (const bool at_front : {true, false}) lead_on(t, at_front);
-        return {std::move(traces_), std::move(notes_)};
+        return {std::move(traces_), std::move(ways_on_), std::move(notes_)};
     }
 
  private:
@@ -110,56 +113,116 @@ class TraceJoiner {
         double best = 1;
         for_each_other(t, at_front, [&](const Segment& s) {
             const auto share = meets(end, back, s, kTouches * extent_);
-            if (share && *share > 0 && *share < best && *share * length < kOvershoot * extent_) best = *share;
+            if (share && *share > 0 && *share < best && *share * length < kSlip * extent_) best = *share;
         });
         if (best == 1) return;
         const double keep = best - kBeyond * extent_ / length;
         (at_front ? trace.front() : trace.back()) = {end.x + keep * back.x, end.y + keep * back.y};
     }
 
+    //! Where the way from an end in a direction meets the next trace or the outline, in lengths of that direction.
+    struct NextTrace {
+        double share = -1;  // < 0: nowhere
+        bool joined = false, crossed = false;
+    };
+    NextTrace next_trace(std::size_t t, bool at_front, const Point2& on) const {
+        const Point2 end = at_front ? traces_[t].front() : traces_[t].back();
+        const double length = std::hypot(on.x, on.y), touching = kTouches * extent_ / length,
+                     beyond = kBeyond * extent_ / length;
+        NextTrace next{.crossed = !is_inside(footprint_, end)};
+        const auto look = [&](const Segment& s) {
+            const auto share = meets(end, on, s, kTouches * extent_);
+            if (!share) return;
+            if (std::abs(*share) <= touching) next.joined = true;
+            if (*share < -touching && *share >= -2 * beyond) next.crossed = true;
+            if (*share > touching && (next.share < 0 || *share < next.share)) next.share = *share;
+        };
+        for_each_other(t, at_front, look);
+        std::ranges::for_each(outline_, look);
+        return next;
+    }
+
+    bool is_clear(const Point2& from, const Point2& to) const {
+        const Point2 on = minus(to, from);
+        const double squared = on.x * on.x + on.y * on.y;
+        return std::ranges::none_of(holes_, [&](const Point2& hole) {
+            const Point2 off = minus(hole, from);
+            const double t = std::clamp((off.x * on.x + off.y * on.y) / squared, 0.0, 1.0);
+            return distance(hole, along(from, on, t)) < kClear * extent_;
+        });
+    }
+
     void lead_on(std::size_t t, bool at_front) {
         if (is_closed(t)) return;
         auto& trace = traces_[t];
         const Point2 end = at_front ? trace.front() : trace.back();
-        const Point2 before = at_front ? trace[1] : trace[trace.size() - 2], on = minus(end, before);
-        const double length = distance(end, before), touching = kTouches * extent_ / length;
-        double nearest = -1;
-        const double beyond = kBeyond * extent_ / length;
-        bool joined = false, crossed = !is_inside(footprint_, end);
-        const auto look = [&](const Segment& s) {
-            const auto share = meets(end, on, s, kTouches * extent_);
-            if (!share) return;
-            if (std::abs(*share) <= touching) joined = true;
-            if (*share < -touching && *share >= -2 * beyond) crossed = true;
-            if (*share > touching && (nearest < 0 || *share < nearest)) nearest = *share;
-        };
-        for_each_other(t, at_front, look);
-        std::ranges::for_each(outline_, look);
-        if (crossed) return;
-        if (joined) {
+        const Point2 on = minus(end, at_front ? trace[1] : trace[trace.size() - 2]);
+        const double length = std::hypot(on.x, on.y), beyond = kBeyond * extent_ / length;
+        const NextTrace straight = next_trace(t, at_front, on);
+        if (straight.crossed) return;
+        if (straight.joined) {
             (at_front ? trace.front() : trace.back()) = along(end, on, beyond);
             return;
         }
-        if (nearest < 0) return;
-        const Point2 to = along(end, on, nearest);
+        if (straight.share < 0) return;
+        if (straight.share * length < kSlip * extent_) {
+            const Point2 to = along(end, on, straight.share);
+            notes_.push_back(
+                fmt::format("fault trace {} ends at x {:.10g}, y {:.10g}, just short of x {:.10g}, y "
+                            "{:.10g}; it is led on to there",
+                            t + 1, end.x, end.y, to.x, to.y));
+            trace.insert(at_front ? trace.begin() : trace.end(), along(end, on, straight.share + beyond));
+            return;
+        }
         notes_.push_back(
-            fmt::format("fault trace {} ends inside at x {:.10g}, y {:.10g}; it is led on straight to x "
-                        "{:.10g}, y {:.10g}",
-                        t + 1, end.x, end.y, to.x, to.y));
-        trace.insert(at_front ? trace.begin() : trace.end(), along(end, on, nearest + beyond));
+            fmt::format("fault trace {} ends inside at x {:.10g}, y {:.10g}; its throw dies out there", t + 1,
+                        end.x, end.y));
+        const Point2 to = way_on(t, at_front, on, along(end, on, straight.share + beyond));
+        ways_on_.push_back({end, to});
+        trace.insert(at_front ? trace.begin() : trace.end(), to);
+    }
+
+    //! Straight if no hole is in the way, else as little to a side as that takes.
+    Point2 way_on(std::size_t t, bool at_front, const Point2& on, const Point2& straight) const {
+        const Point2 end = at_front ? traces_[t].front() : traces_[t].back();
+        if (is_clear(end, straight)) return straight;
+        for (int turn = 2; turn < 2 * kMostTurns; ++turn) {
+            const double angle = (turn % 2 == 0 ? 1 : -1) * (turn / 2) * std::numbers::pi / 90;
+            const Point2 turned{on.x * std::cos(angle) - on.y * std::sin(angle),
+                                on.x * std::sin(angle) + on.y * std::cos(angle)};
+            const NextTrace next = next_trace(t, at_front, turned);
+            if (next.share < 0) continue;
+            const double beyond = kBeyond * extent_ / std::hypot(on.x, on.y);
+            const Point2 to = along(end, turned, next.share + beyond);
+            if (is_clear(end, to)) return to;
+        }
+        return straight;
     }
 
     const Footprint& footprint_;
     FaultTraces traces_;
+    const std::vector<Point2>& holes_;
     std::vector<Segment> outline_;
     double extent_ = 0;
+    std::vector<WayOn> ways_on_;
     std::vector<std::string> notes_;
 };
 
 }  // namespace
 
-JoinedTraces joined_traces(const Footprint& footprint, FaultTraces traces) {
-    return TraceJoiner(footprint, std::move(traces)).run();
+bool WayOn::holds(const Point2& a, const Point2& b, double tolerance) const {
+    const Point2 on = minus(end, tip);
+    const double squared = on.x * on.x + on.y * on.y;
+    const auto is_on = [&](const Point2& p) {
+        const Point2 off = minus(p, tip);
+        const double t = std::clamp((off.x * on.x + off.y * on.y) / squared, 0.0, 1.0);
+        return distance(p, along(tip, on, t)) <= tolerance;
+    };
+    return is_on(a) && is_on(b) && is_on({(a.x + b.x) / 2, (a.y + b.y) / 2});
+}
+
+JoinedTraces joined_traces(const Footprint& footprint, FaultTraces traces, const std::vector<Point2>& holes) {
+    return TraceJoiner(footprint, std::move(traces), holes).run();
 }
 
 }  // namespace stratareeb

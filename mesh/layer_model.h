@@ -80,6 +80,9 @@ LayerSolid build_layer_solid(const LayerModel& model, std::size_t layer,
 std::vector<LayerSolid> build_block_solids(const LayerModel& model, std::size_t layer,
                                            NormalWeight weight = NormalWeight::Uniform);
 
+//! Would the solid of a layer in a block (0 = first) that faults reach into touch itself?
+bool touches_itself(const LayerModel& model, std::size_t layer, std::uint32_t block);
+
 //! Volume between ground and the lowest horizon.
 double envelope_volume(const LayerModel& model);
 

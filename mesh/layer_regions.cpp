@@ -179,6 +179,7 @@ class Regions {
                 if (flat.any()) flat &= zero_at(v);
             if (flat.none()) continue;
             const Vertex centre = add_vertex(mesh_.calc_face_centroid(face));
+            on_line_.back() &= ~flat;  // a sliver along a line may be on it all over, but for rounding
             const LayerSet layers = present_[f];
             if (on_vertex_) {
                 VertexMean mean{number(centre), {}};

@@ -10,6 +10,7 @@
 #include "boreholes/errors.h"
 #include "boreholes/random_survey.h"
 #include "io/read_faults.h"
+#include "mesh/analysis.h"
 #include "mesh/layer_volumes.h"
 #include "mesh/model_summary.h"
 #include "mesh/plan_locator.h"
@@ -199,12 +200,14 @@ TEST(FaultedModel, faults_may_meet_in_t_y_and_x) {
     }
 }
 
-TEST(FaultedModel, a_trace_without_an_end_at_another_is_led_on_and_one_beyond_a_crossing_cut) {
+TEST(FaultedModel, a_trace_that_ends_just_short_is_led_on_and_one_beyond_a_crossing_cut) {
     const std::vector<Point2> holes{{50, 50}, {250, 50}, {50, 250}, {250, 250}, {20, 150}};
-    const FaultBlocks led_on = fault_blocks(kSquare, {{{150, 100}, {150, 200}}}, holes);
+    const FaultBlocks led_on = fault_blocks(kSquare, {{{150, 4}, {150, 297}}}, holes);
     EXPECT_EQ(led_on.outline.size(), 2u);
+    EXPECT_TRUE(led_on.ways_on.empty());
+    EXPECT_TRUE(led_on.ties.empty());
     ASSERT_EQ(led_on.notes.size(), 2u);
-    EXPECT_NE(led_on.notes[0].find("ends inside at x 150, y 100; it is led on straight to x 150, y 0"),
+    EXPECT_NE(led_on.notes[0].find("ends at x 150, y 4, just short of x 150, y 0; it is led on to there"),
               std::string::npos);
     const FaultBlocks cut = fault_blocks(kSquare, {{{150, -5}, {150, 305}}, {{310, 150}, {148, 150}}}, holes);
     EXPECT_EQ(cut.outline.size(), 3u);
@@ -212,6 +215,125 @@ TEST(FaultedModel, a_trace_without_an_end_at_another_is_led_on_and_one_beyond_a_
     double sum = 0;
     for (const auto& outline : cut.outline) sum += area(outline);
     EXPECT_NEAR(sum, kExtent * kExtent, 1e-9);
+}
+
+TEST(FaultedModel, a_trace_that_ends_inside_dies_out_there) {
+    const std::vector<Point2> holes{{50, 50}, {250, 50}, {50, 250}, {250, 250}, {20, 150}};
+    const FaultBlocks blocks = fault_blocks(kSquare, {{{150, 100}, {150, 310}}}, holes);
+    EXPECT_EQ(blocks.outline.size(), 2u);
+    ASSERT_EQ(blocks.notes.size(), 1u);
+    EXPECT_EQ(blocks.notes[0], "fault trace 1 ends inside at x 150, y 100; its throw dies out there");
+    ASSERT_EQ(blocks.ways_on.size(), 1u);
+    EXPECT_EQ(blocks.ways_on[0].tip, (Point2{150, 100}));
+    EXPECT_NEAR(blocks.ways_on[0].end.y, 0, 1e-4);
+    ASSERT_FALSE(blocks.ties.empty());
+    for (const BlockTie& tie : blocks.ties) {
+        EXPECT_LT(tie.at.y, 100) << "beyond the tip";
+        EXPECT_NE(tie.at.x, 150) << "to a side of the way on";
+        EXPECT_EQ(tie.to.size(), 2u);
+        EXPECT_EQ(std::vector(tie.to.begin(), tie.to.end()), tie.from);
+    }
+    // A hole in the way: the way on goes past it.
+    const FaultBlocks turned =
+        fault_blocks(kSquare, {{{150, 100}, {150, 310}}}, {{150, 40}, {50, 50}, {250, 50}});
+    EXPECT_EQ(turned.outline.size(), 2u);
+    EXPECT_GT(std::abs(turned.ways_on[0].end.x - 150), 0.3);
+}
+
+//! Holes in rows beside a fault at x = 150 whose throw grows from 0 at y = 120 to 18 at y = 300.
+Survey dying_out() {
+    Survey survey;
+    for (const char* code : {"a", "b", "c"}) survey.units.push_back({code, code, ""});
+    for (const double x : {10.0, 50.0, 90.0, 130.0, 170.0, 210.0, 250.0, 290.0})
+        for (double y = 0; y <= 300; y += 20) {
+            const double throw_m = x < 150 ? std::max(0.0, 0.1 * (y - 120)) : 0;
+            const double ground = 100 + throw_m;
+            survey.holes.push_back(
+                {"h" + std::to_string(survey.holes.size()),
+                 {x, y},
+                 {{Knowledge::Measured, 10}, {Knowledge::Measured, 20}, {Knowledge::Measured, 15}},
+                 {ground, ground - 10, ground - 30, ground - 45},
+                 0});
+        }
+    return survey;
+}
+
+const FaultTraces kDying{{{150, 120}, {150, 310}}};
+
+TEST(FaultedModel, a_throw_that_dies_out_comes_back_and_the_plan_is_cut_along_the_trace_alone) {
+    const Survey survey = dying_out();
+    for (const auto kind : {InterpolatorKind::Linear, InterpolatorKind::Kriging}) {
+        SCOPED_TRACE(name_of(kind));
+        LayerModelOptions options = square_options();
+        options.interpolator = kind;
+        const LayerModel model = build_faulted_model(survey, kDying, options);
+        expect_sound_blocks(model, survey);
+        EXPECT_EQ(model.seams.blocks, 1u) << "one piece, with a slit";
+        double slit = 0;
+        for (const auto& [edge, other] : model.seams.across) {
+            const auto at = [&](std::uint32_t v) {
+                return model.plan.surface.point(TriMesh::VertexHandle(static_cast<int>(v)));
+            };
+            for (const std::uint32_t v : {edge.first, edge.second}) {
+                EXPECT_EQ(at(v)[0], 150);
+                EXPECT_GE(at(v)[1], 120);
+            }
+            slit += (at(edge.second) - at(edge.first)).norm();
+            for (std::size_t k = 0; k < 4; ++k) {
+                const double y = at(edge.first)[1];
+                EXPECT_NEAR(std::abs(model.horizons[k][edge.first] - model.horizons[k][other[0]]),
+                            0.1 * (y - 120), kind == InterpolatorKind::Linear ? 1.0 : 0.15)
+                    << "y " << y;
+            }
+        }
+        EXPECT_NEAR(slit, 2 * 180, 1e-9) << "both sides of the trace";
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto solids = build_block_solids(model, i);
+            ASSERT_EQ(solids.size(), 1u) << "one body around the tip";
+            EXPECT_EQ(analyze(solids[0].surface).components, 1u);
+        }
+    }
+}
+
+TEST(FaultedModel, a_fault_that_dies_out_within_one_plane_is_no_fault) {
+    Survey survey = dying_out();
+    for (Borehole& hole : survey.holes) {
+        const double ground = 100 + 0.02 * hole.at.x - 0.05 * hole.at.y;
+        hole.horizons = {ground, ground - 10, ground - 30, ground - 45};
+    }
+    LayerModelOptions options = square_options();
+    options.interpolator = InterpolatorKind::Kriging;
+    const FaultTraces both_ends{{{150, 80}, {170, 220}}};
+    const LayerModel model = build_faulted_model(survey, both_ends, options);
+    expect_sound_blocks(model, survey);
+    EXPECT_EQ(model.seams.blocks, 1u);
+    for (const auto v : model.plan.surface.vertices()) {
+        const auto& p = model.plan.surface.point(v);
+        EXPECT_NEAR(model.horizons[0][static_cast<std::size_t>(v.idx())], 100 + 0.02 * p[0] - 0.05 * p[1],
+                    1e-3);
+    }
+    const double area = kExtent * kExtent;
+    EXPECT_NEAR(layer_volumes(model)[1], 20 * area, 1e-4 * area);
+}
+
+TEST(FaultedModel, a_dying_fault_may_be_refined_and_read_back) {
+    const Survey survey = dying_out();
+    LayerModelOptions options{.footprint = kSquare, .spacing_factor = 2, .ring_holes = true};
+    const LayerModel model = build_faulted_model(
+        survey, kDying, options, [](LayerModel block) { return refine_layers(block, {.levels = 1}).model; });
+    EXPECT_EQ(model.seams.blocks, 1u);
+    expect_sound_blocks(model, survey);
+}
+
+TEST(FaultedModel, dying_faults_that_cross_are_sound) {
+    const Survey survey = random_survey({.holes = 60, .layers = 4, .seed = 5, .pinch_outs = true});
+    const FaultTraces cross{{{80, 150}, {220, 160}}, {{150, 80}, {155, 230}}},
+        t{{{40, 150}, {260, 160}}, {{150, 155}, {140, 60}}},
+        en_echelon{{{40, 100}, {170, 140}}, {{130, 170}, {260, 200}}};
+    for (const auto& traces : {cross, t, en_echelon}) {
+        LayerModelOptions options{.spacing = 30};
+        expect_sound_blocks(build_faulted_model(survey, traces, options), survey);
+    }
 }
 
 TEST(FaultedModel, a_part_without_holes_goes_with_its_neighbour_and_says_so) {
