@@ -86,12 +86,13 @@ class Split {
         std::vector<LayerSolid> solids;
         ordered_json pieces = ordered_json::array();
         for (std::size_t i = 0; i < slab.model.units.size(); ++i) {
-            LayerSolid solid = build_layer_solid(slab.model, i);
-            if (solid.surface.n_faces() == 0) continue;
-            const Piece piece = write_piece(folder, solid, i, number);
-            volumes_[i] += piece.report.volume;
-            pieces.push_back(piece_json(piece));
-            solids.push_back(std::move(solid));
+            for (LayerSolid& solid : build_block_solids(slab.model, i)) {
+                if (solid.surface.n_faces() == 0) continue;
+                const Piece piece = write_piece(folder, solid, i, number);
+                volumes_[i] += piece.report.volume;
+                pieces.push_back(piece_json(piece));
+                solids.push_back(std::move(solid));
+            }
         }
         ordered_json entry{{"low", slab.low}, {"high", slab.high}, {"layers", std::move(pieces)}};
         if (arguments_.pictures && !solids.empty()) {
@@ -116,8 +117,9 @@ class Split {
         piece.nodes = graph.nodes.size();
         piece.arcs = graph.arcs.size();
         piece.loops = graph.loops();
-        piece.file = fmt::format("slab_{:02}/{}.{}", number, numbered_name(layer + 1, solid.unit.name),
-                                 arguments_.format);
+        piece.file =
+            fmt::format("slab_{:02}/{}{}.{}", number, numbered_name(layer + 1, solid.unit.name),
+                        solid.block > 0 ? fmt::format("_block_{}", solid.block) : "", arguments_.format);
         write_mesh(folder.add(piece.file), {solid.unit.name, solid.unit.color, &solid.surface});
         return piece;
     }

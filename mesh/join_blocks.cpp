@@ -13,6 +13,7 @@
 #include "boreholes/errors.h"
 #include "mesh/block_border.h"
 #include "mesh/fault_seams.h"
+#include "mesh/match_seams.h"
 #include "mesh/soup_topology.h"
 
 namespace stratareeb {
@@ -85,7 +86,7 @@ class BlockJoiner {
                 note_place({seam.second, b});
             }
         level_ways_on();
-        for (const auto& [place, vertices] : places_) equal_levels(vertices);
+        for (const auto& [place, vertices] : places_) make_levels_equal(vertices);
         for (Seam& seam : seams_) insert_crossings(seam);
         join_ways_on();
         LayerModel model = joined(holes);
@@ -313,28 +314,13 @@ class BlockJoiner {
         return piece;
     }
 
-    //! Elevations of several blocks at one place that differ by rounding alone become the same number; horizons of one block
-    //! that are apart stay apart.
-    void equal_levels(const std::vector<BlockVertex>& vertices) {
-        std::vector<double> known;
+    void make_levels_equal(const std::vector<BlockVertex>& vertices) {
+        std::vector<LevelColumn> columns;
         for (const BlockVertex& v : vertices) {
-            std::optional<double> before, replaced;  // the last level of this block, and what became of it
-            for (std::size_t k = 0; k < horizons(); ++k) {
-                const double z = level(v, k);
-                if (before && z == *before) {
-                    level(v, k) = *replaced;
-                    continue;
-                }
-                double best = z, off = kSameLevel * extent_;
-                for (const double other : known)
-                    if (std::abs(other - z) <= off && (!replaced || other < *replaced))
-                        best = other, off = std::abs(other - z);
-                before = z;
-                if (!replaced || best < *replaced) level(v, k) = best;
-                replaced = level(v, k);
-            }
-            for (std::size_t k = 0; k < horizons(); ++k) known.push_back(level(v, k));
+            auto& column = columns.emplace_back();
+            for (std::size_t k = 0; k < horizons(); ++k) column.push_back(&level(v, k));
         }
+        equal_levels(columns, kSameLevel * extent_);
     }
 
     //! Where between two neighbouring places a horizon of one side crosses one of the other, nearest to the first.
@@ -373,7 +359,7 @@ class BlockJoiner {
                     p.x + blocks_[0].origin.x, p.y + blocks_[0].origin.y));
             const auto v = BlockBorder::split_edge(blocks_[seam.first], a, c, p, *share);
             const auto w = BlockBorder::split_edge(blocks_[seam.second], d, b, p, 1 - *share);
-            equal_levels({{seam.first, v}, {seam.second, w}});
+            make_levels_equal({{seam.first, v}, {seam.second, w}});
             seam.vertices.insert(seam.vertices.begin() + static_cast<std::ptrdiff_t>(at + 1), {v, w});
             note_place({seam.first, v});
             note_place({seam.second, w});

@@ -148,13 +148,13 @@ class PlanBuilder {
     }
 
  private:
-    //! Edges much shorter than what was given serve nobody.
+    //! Edges much shorter than what was given serve nobody, nor do hair-breadths where lines all but touch.
     double shortest_useful(double spacing) const {
-        constexpr double kShare = 0.02;
+        constexpr double kShare = 0.02, kHair = 1e-4;
         double shortest = spacing * spacing;
         for (const auto& edge : cdt_.finite_edges())
             shortest = std::min(shortest, cdt_.segment(edge).squared_length());
-        return kShare * std::sqrt(shortest);
+        return std::max(kShare * std::sqrt(shortest), kHair * spacing);
     }
 
     // Four far points around everything: no outline edge is then an edge of the hull, where a rounded

@@ -10,6 +10,7 @@
 
 #include "boreholes/errors.h"
 #include "mesh/level_cuts.h"
+#include "mesh/match_seams.h"
 #include "mesh/thickness_regions.h"
 
 namespace stratareeb {
@@ -26,9 +27,6 @@ std::pair<double, double> range_of(const LayerModel& model) {
 }  // namespace
 
 SlabCutter::SlabCutter(const LayerModel& model, std::vector<double> levels) {
-    if (!model.seams.empty())
-        throw InvalidInput(
-            "slabs of a model with faults can't be made; build it without --faults to split it");
     std::tie(low_, high_) = range_of(model);
     const double z = model.origin.z;
     std::vector<double> values;
@@ -46,6 +44,10 @@ SlabCutter::SlabCutter(const LayerModel& model, std::vector<double> levels) {
                                            levels[cuts_.size() - 2]));
     }
     cut_ = cut_at_levels(model, cuts_);
+    if (!cut_.seams.empty()) {
+        cut_.regions = regions_of_thickness(cut_.plan.surface, cut_.horizons);
+        match_seams(cut_);
+    }
     for (const double cut : cuts_) levels_.push_back(cut + z);
 }
 
@@ -57,6 +59,7 @@ Slab SlabCutter::slab(std::size_t i) const {
     for (auto& horizon : model.horizons)
         for (double& value : horizon) value = std::clamp(value, low, high);
     model.regions = regions_of_thickness(model.plan.surface, model.horizons);
+    if (!model.seams.empty()) model.seams = seams_of_pieces(model.plan.surface, model.horizons);
     return slab;
 }
 
