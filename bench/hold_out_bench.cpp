@@ -48,10 +48,16 @@ void leave_one_out(benchmark::State& state) {
     RangeMultiplier(10)->Range(least, most)->Unit(benchmark::kMillisecond)->Complexity()->UseRealTime()
 BENCHMARK_CAPTURE(hold_out_ten_folds, linear, InterpolatorKind::Linear)->SIZES(100, 100'000);
 BENCHMARK_CAPTURE(hold_out_ten_folds, natural, InterpolatorKind::NaturalNeighbour)->SIZES(100, 100'000);
+BENCHMARK_CAPTURE(hold_out_ten_folds, sibson_c0, InterpolatorKind::SibsonC0)->SIZES(100, 100'000);
 BENCHMARK_CAPTURE(hold_out_ten_folds, inverse_distance, InterpolatorKind::InverseDistance)
     ->SIZES(100, 100'000);
 BENCHMARK_CAPTURE(hold_out_ten_folds, spline, InterpolatorKind::Spline)->SIZES(100, 100'000);
 BENCHMARK_CAPTURE(hold_out_ten_folds, kriging, InterpolatorKind::Kriging)->SIZES(100, 100'000);
+BENCHMARK_CAPTURE(hold_out_ten_folds, kriging_linear, InterpolatorKind::KrigingLinear)->SIZES(100, 100'000);
+BENCHMARK_CAPTURE(hold_out_ten_folds, kriging_quadratic, InterpolatorKind::KrigingQuadratic)
+    ->SIZES(100, 100'000);
+BENCHMARK_CAPTURE(hold_out_ten_folds, minimum_curvature, InterpolatorKind::MinimumCurvature)
+    ->SIZES(100, 100'000);
 BENCHMARK(validate_ten_folds)->SIZES(100, 100'000);
 BENCHMARK(leave_one_out)->SIZES(100, 1'000);
 

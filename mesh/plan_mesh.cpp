@@ -107,6 +107,7 @@ class PlanBuilder {
         : holes_(holes) {
         const double tolerance = kOnRing * extent_of(footprint);
         lines_ = clipped_lines(lines, footprint, tolerance);
+        snap_to_corners(footprint, tolerance);
         std::vector<Point2> given = holes;
         given.insert(given.end(), lines_.points.begin(), lines_.points.end());
         footprint_ = with_points_on_rings(footprint, given, tolerance);
@@ -148,6 +149,19 @@ class PlanBuilder {
     }
 
  private:
+    //! A line that meets the outline in a corner, but for rounding, ends in that corner.
+    void snap_to_corners(const Footprint& footprint, double tolerance) {
+        std::vector<Point2> corners;
+        for (const auto& ring : footprint) corners.insert(corners.end(), ring.begin(), ring.end());
+        std::ranges::sort(corners, {}, [](const Point2& p) { return std::pair(p.x, p.y); });
+        for (Point2& p : lines_.points)
+            for (auto c = std::ranges::lower_bound(corners, p.x - tolerance, {}, &Point2::x);
+                 c != corners.end() && c->x <= p.x + tolerance; ++c)
+                if (std::abs(c->y - p.y) <= tolerance) p = *c;
+        std::erase_if(lines_.segments,
+                      [this](const auto& s) { return lines_.points[s[0]] == lines_.points[s[1]]; });
+    }
+
     //! Edges much shorter than what was given serve nobody, nor do hair-breadths where lines all but touch.
     double shortest_useful(double spacing) const {
         constexpr double kShare = 0.02, kHair = 1e-4;
