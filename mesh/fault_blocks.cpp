@@ -126,7 +126,9 @@ class BlockPartition {
             const auto largest =
                 *std::ranges::max_element(region, {}, [&](auto f) { return cdt_.triangle(f).area(); });
             const CgalPoint centre = CGAL::centroid(cdt_.triangle(largest));
-            if (is_inside({centre.x(), centre.y()})) {
+            double size = 0;  // corners on the outline may leave slivers between them and the hull of all
+            for (const auto face : region) size += cdt_.triangle(face).area();
+            if (size > kSnapped * extent_ * extent_ && is_inside({centre.x(), centre.y()})) {
                 ++regions_;
                 centre_.push_back({centre.x(), centre.y()});
             } else {
