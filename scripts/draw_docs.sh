@@ -52,6 +52,9 @@ build/stratareeb section "$folder/valley" --along 0,400,1200,400 -o docs/images/
 build/stratareeb build examples/graben/holes.csv --faults examples/graben/faults.geojson --quiet -o "$folder/graben" >/dev/null
 build/stratareeb section "$folder/graben" --along 0,300,1200,300 -o docs/images/faults.png --overwrite \
     --title "A graben between two faults" >/dev/null
+build/stratareeb build examples/relay/holes.csv --faults examples/relay/faults.geojson --formats png --quiet \
+    -o "$folder/relay" >/dev/null
+cp "$folder/relay/model.png" docs/images/dying_faults.png
 
 # The 3D page, as Chromium shows it without a graphics card.
 [ -d viewer/node_modules/playwright-core ] || (cd viewer && npm ci --silent)
