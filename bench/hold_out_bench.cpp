@@ -44,8 +44,13 @@ void leave_one_out(benchmark::State& state) {
     state.SetComplexityN(state.range(0));
 }
 
-#define SIZES(least, most) \
-    RangeMultiplier(10)->Range(least, most)->Unit(benchmark::kMillisecond)->Complexity()->UseRealTime()
+#define SIZES(least, most)              \
+    RangeMultiplier(10)                 \
+        ->Range(least, most)            \
+        ->Unit(benchmark::kMillisecond) \
+        ->Complexity()                  \
+        ->UseRealTime()                 \
+        ->MeasureProcessCPUTime()
 BENCHMARK_CAPTURE(hold_out_ten_folds, linear, InterpolatorKind::Linear)->SIZES(100, 100'000);
 BENCHMARK_CAPTURE(hold_out_ten_folds, natural, InterpolatorKind::NaturalNeighbour)->SIZES(100, 100'000);
 BENCHMARK_CAPTURE(hold_out_ten_folds, sibson_c0, InterpolatorKind::SibsonC0)->SIZES(100, 100'000);

@@ -17,6 +17,8 @@ namespace {
 constexpr std::size_t kNearby = 8;  // errors that make the local ratio
 constexpr double kPull = 4;         // errors of expected size that are added to them
 constexpr double kLargestRatio = 1e6;
+// Of n errors the next is the largest once in n + 1 times: 10 / n above the largest is as far as it goes.
+constexpr double kBeyondLargest = 10;
 
 //! Rank (0-based) of the conformal quantile among `count` scores; `count` if there are too few.
 std::size_t conformal_rank(std::size_t count, double confidence) {
@@ -27,6 +29,10 @@ std::size_t conformal_rank(std::size_t count, double confidence) {
 //! 0 / 0 is a right prediction amid right ones.
 double score(double error, double scale) {
     return error == 0 ? 0 : std::abs(error) / scale;
+}
+
+double beyond_largest(std::size_t count) {
+    return 1 + kBeyondLargest / static_cast<double>(count);
 }
 
 //! `by_size`: largest first.
@@ -110,7 +116,8 @@ PredictionReach prediction_reach(const LocalError& local, double confidence) {
     if (scores.empty()) return {0, 0, false};
     std::ranges::sort(scores);
     const std::size_t rank = conformal_rank(scores.size(), confidence);
-    return {scores[std::min(rank, scores.size() - 1)], most, has_enough_errors(scores.size(), confidence)};
+    return {scores[std::min(rank, scores.size() - 1)], most * beyond_largest(scores.size()),
+            has_enough_errors(scores.size(), confidence)};
 }
 
 std::vector<double> held_out_half_widths(const LocalError& local, double confidence) {
@@ -135,7 +142,7 @@ std::vector<double> held_out_half_widths(const LocalError& local, double confide
         if (others == 0) continue;
         std::size_t rank = std::min(conformal_rank(others, confidence), others - 1);
         for (const std::size_t taken : own) rank += taken <= rank;  // step over the draw's own scores
-        reach[draw] = {scores[order[rank]], largest_of_others(by_size, draw)};
+        reach[draw] = {scores[order[rank]], largest_of_others(by_size, draw) * beyond_largest(others)};
     }
     std::vector<double> widths;
     for (std::size_t i = 0; i < errors.size(); ++i)

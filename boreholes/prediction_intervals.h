@@ -44,8 +44,9 @@ class LocalError {
 
 //! prediction ± half_width(local error): an interval that holds the truth with a given confidence.
 struct PredictionReach {
-    double factor = 0;    // of the local error
-    double most = 0;      // the largest error found; where errors are rare, a few make the factor huge
+    double factor = 0;  // of the local error
+    double most =
+        0;  // a little above the largest of the errors found; where they are rare, a few make the factor huge
     bool certain = true;  // false: too few errors for the confidence; the largest one is taken
 
     double half_width(double local_error) const { return std::min(factor * local_error, most); }
@@ -59,7 +60,8 @@ PredictionReach prediction_reach(const LocalError& local, double confidence);
 bool has_enough_errors(std::size_t count, double confidence);
 
 //! For each error, the half width of the interval that would have been given there by errors of other draws alone
-//! (cross-conformal prediction, V. Vovk, 2015), no wider than the largest of those. With exchangeable holes the share of |error| <= half width is at least
+//! (cross-conformal prediction, V. Vovk, 2015), no wider than the largest of n of those by a
+//! share of 10 / n. With exchangeable holes the share of |error| <= half width is at least
 //! about the confidence, whatever the interpolator and the law of errors.
 std::vector<double> held_out_half_widths(const LocalError& local, double confidence);
 

@@ -57,7 +57,8 @@ TEST_P(RandomModels, are_watertight_conforming_and_true_to_their_holes) {
         const Case c = random_case(seed);
         const Survey survey = random_survey(c.survey);
         LayerModelOptions options = c.model;
-        if (!options.spacing && seed % 4) options.spacing = c.survey.extent / 12;
+        // The suitable spacing now and then: more triangles of the same kinds prove little.
+        if (!options.spacing && seed % 20) options.spacing = c.survey.extent / (seed % 4 ? 8 : 12);
         try {
             expect_sound(build_layer_model(survey, options), survey);
         } catch (const InvalidInput& error) {

@@ -104,7 +104,8 @@ std::vector<double> plain_half_widths(const std::vector<PlacedError>& errors, do
         std::sort(scores.begin(), scores.end());
         const auto rank =
             static_cast<std::size_t>(std::ceil((static_cast<double>(scores.size()) + 1) * confidence));
-        widths.push_back(std::min(scores[std::min(rank, scores.size()) - 1] * scales[i], most));
+        const double widest = most * (1 + 10 / static_cast<double>(scores.size()));
+        widths.push_back(std::min(scores[std::min(rank, scores.size()) - 1] * scales[i], widest));
     }
     return widths;
 }
