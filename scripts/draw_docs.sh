@@ -14,6 +14,9 @@ draw() {  # NAME TABLE [OPTION…]
 }
 
 draw sighthill examples/sighthill/intervals.csv --collars examples/sighthill/collars.csv
+build/stratareeb validate examples/sighthill/intervals.csv --collars examples/sighthill/collars.csv --plots png --quiet \
+    -o "$folder/validation" >/dev/null
+cp "$folder/validation/residual_map.png" docs/images/validate_sighthill.png
 draw thesis examples/thesis_sample3.csv
 build/stratareeb sample -o "$folder/wells.csv" --holes 52 --layers 3 --pinch-outs >/dev/null
 draw sample "$folder/wells.csv"
