@@ -8,6 +8,7 @@
 #include <set>
 
 #include "boreholes/errors.h"
+#include "boreholes/hold_out.h"
 #include "boreholes/random_survey.h"
 #include "io/read_faults.h"
 #include "mesh/analysis.h"
@@ -294,6 +295,24 @@ TEST(FaultedModel, a_throw_that_dies_out_comes_back_and_the_plan_is_cut_along_th
             EXPECT_EQ(analyze(solids[0].surface).components, 1u);
         }
     }
+}
+
+TEST(FaultedModel, held_out_holes_are_predicted_across_the_way_on_and_not_across_the_trace) {
+    const Survey survey = dying_out();
+    const FaultBlocks blocks = fault_blocks_of(survey, kDying);
+    const auto draws = fold_draws(survey.holes.size(), 10, 1);
+    const auto rmse = [&](bool by_block, bool tied) {
+        HoldOutOptions options;
+        options.prediction.interpolator = InterpolatorKind::Kriging;
+        if (by_block) options.block = blocks.block_of;
+        if (tied) options.ties = blocks.ties;
+        double sum = 0;
+        const auto residuals = elevation_residuals(survey, hold_out(survey, draws, options), 0);
+        for (const Residual& residual : residuals) sum += residual.error() * residual.error();
+        return std::sqrt(sum / static_cast<double>(residuals.size()));
+    };
+    EXPECT_LT(rmse(true, true), 0.2);
+    EXPECT_GT(rmse(false, false), 3 * rmse(true, true)) << "without the fault";
 }
 
 TEST(FaultedModel, a_fault_that_dies_out_within_one_plane_is_no_fault) {
