@@ -42,6 +42,13 @@ OcctKnots occt_knots(const CubicKnots& knots) {
     return result;
 }
 
+// Edges run from 0 to 1: OpenCASCADE's boolean operations give up an edge that coincides with one they found unless it does.
+OcctKnots unit_knots(const CubicKnots& knots) {
+    std::vector<double> breaks;
+    for (const double b : knots.breaks()) breaks.push_back((b - knots.low()) / (knots.high() - knots.low()));
+    return occt_knots(CubicKnots(std::move(breaks)));
+}
+
 Handle(Geom_Surface) patch_surface(const HeightPatch& patch) {
     const auto x = patch.x.greville(), y = patch.y.greville();
     const int nx = static_cast<int>(x.size()), ny = static_cast<int>(y.size());
@@ -61,7 +68,7 @@ Handle(Geom_Curve) space_curve(const SplineCurve& curve) {
     TColgp_Array1OfPnt poles(1, static_cast<int>(c[0].size()));
     for (std::size_t i = 0; i < c[0].size(); ++i)
         poles(static_cast<int>(i) + 1) = gp_Pnt(c[0][i], c[1][i], c[2][i]);
-    const auto knots = occt_knots(curve.knots);
+    const auto knots = unit_knots(curve.knots);
     return new Geom_BSplineCurve(poles, knots.places, knots.multiplicities, 3);
 }
 
@@ -69,7 +76,7 @@ Handle(Geom2d_Curve)
     parameter_curve(const CubicKnots& knots, const std::vector<double>& u, const std::vector<double>& v) {
     TColgp_Array1OfPnt2d poles(1, static_cast<int>(u.size()));
     for (std::size_t i = 0; i < u.size(); ++i) poles(static_cast<int>(i) + 1) = gp_Pnt2d(u[i], v[i]);
-    const auto k = occt_knots(knots);
+    const auto k = unit_knots(knots);
     return new Geom2d_BSplineCurve(poles, k.places, k.multiplicities, 3);
 }
 
@@ -160,7 +167,7 @@ class ShapeBuilder {
             builder_.UpdateVertex(from, piece.tolerance);
             builder_.UpdateVertex(to, piece.tolerance);
             builder_.MakeEdge(piece.edge, space_curve(piece.curve), piece.tolerance);
-            add_ends(piece.edge, from, to, piece.curve.knots.low(), piece.curve.knots.high());
+            add_ends(piece.edge, from, to, 0, 1);
             from = to;
         }
         return pieces;
