@@ -9,10 +9,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "boreholes/errors.h"
-#include "io/faceted_bodies.h"
+#include "io/coarse_facets.h"
 #include "io/smooth_shapes.h"
 #include "subdivision/strip_cells.h"
 
@@ -20,23 +21,21 @@ namespace stratareeb {
 namespace {
 
 constexpr double kIntegrationShare =
-    0.2;  // of the volume that a body may be off, for how CAD programs integrate
+    0.2;                              // of the volume that a body may be off, for how CAD programs integrate
+constexpr double kFacetShare = 0.02;  // of the thinnest body's mean thickness: what facets may be off
+constexpr int kRetries = 2;           // of the fit, while bodies have faults
+constexpr double kMostCorrected = 0.1;  // of a body's volume, a time
 constexpr std::size_t kSpansAStrip[] = {14, 7};
 
 class Maker {
  public:
     Maker(const LayerModel& model, const SmoothBodiesOptions& options)
-        : model_(model), options_(options), brep_(build_smooth_brep(model, options.fit)) {}
+        : model_(model), options_(options), fit_(options.fit) {}
 
     SmoothBodies make() {
-        examine_all();
-        hold_lines();
-        for (const std::size_t spans : kSpansAStrip) {
-            const auto sheets = badly_integrated();
-            if (std::ranges::count(sheets, 1) == 0) break;
-            cut_into_strips(brep_, sheets, spans);
-            examine_all();
-        }
+        fit();
+        for (int round = 0; round < kRetries && count_faults() > 0; ++round) try_again(round > 0);
+        make_facets();
         SmoothBodies result;
         std::map<std::uint32_t, std::size_t> bodies_of_layer;
         for (std::size_t b = 0; b < shapes_.size(); ++b) {
@@ -45,32 +44,68 @@ class Maker {
             CadBody body{.name = body_name(unit, bodies_of_layer[layer]++),
                          .color = rgb_from_text(unit.color),
                          .solid = shapes_[b]};
-            if (!faults_[b].empty()) {
-                result.notes.push_back(fmt::format("'{}' is made of facets: {}", body.name, faults_[b]));
-                body.solid = facets(b);
-            } else if (brep_.quality[b].off > options_.worth_telling * brep_.size) {
+            const auto& quality = brep_.quality[b];
+            const bool smooth = faults_[b].empty();
+            const std::size_t faces = count_faces(*body.solid);
+            if (!smooth)
+                result.notes.push_back(
+                    fmt::format("'{}' is made of facets ({}, up to {:.3g} off the model): {}", body.name,
+                                faces, facets_off_, faults_[b]));
+            else if (quality.off > options_.worth_telling * brep_.size)
                 result.notes.push_back(fmt::format(
                     "'{}': its smooth faces are up to {:.3g} off the triangles where these are steepest",
-                    body.name, brep_.quality[b].off));
-            }
+                    body.name, quality.off));
             result.reports.push_back({.name = body.name,
-                                      .smooth = faults_[b].empty(),
-                                      .faces = count_faces(*body.solid),
-                                      .off = faults_[b].empty() ? brep_.quality[b].off : 0,
-                                      .edge_off = faults_[b].empty() ? brep_.quality[b].edge_off : 0,
-                                      .volume = faults_[b].empty() ? volumes_[b] : cad_volume(*body.solid),
-                                      .mesh_volume = brep_.quality[b].mesh_volume});
+                                      .smooth = smooth,
+                                      .faces = faces,
+                                      .off = smooth ? quality.off : facets_off_,
+                                      .edge_off = smooth ? quality.edge_off : 0,
+                                      .volume = smooth ? volumes_[b] : cad_volume(*body.solid),
+                                      .mesh_volume = quality.mesh_volume});
             result.bodies.push_back(std::move(body));
         }
         return result;
     }
 
  private:
+    void fit() {
+        brep_ = build_smooth_brep(model_, fit_);
+        examine_all();
+        hold_lines();
+        for (const std::size_t spans : kSpansAStrip) {
+            const auto sheets = badly_integrated();
+            if (std::ranges::count(sheets, 1) == 0) break;
+            cut_into_strips(brep_, sheets, spans);
+            examine_all();
+        }
+    }
+
+    std::size_t count_faults() const {
+        return static_cast<std::size_t>(
+            std::ranges::count_if(faults_, [](const auto& fault) { return !fault.empty(); }));
+    }
+
+    // Fits again for volumes as the lines that were moved left them, and with more functions; keeps what is better.
+    void try_again(bool with_more) {
+        auto& factors = fit_.sheets.volume_factors;
+        factors.resize(shapes_.size(), 1);
+        for (std::size_t b = 0; b < shapes_.size(); ++b)
+            if (volumes_[b] > 0)
+                factors[b] *= std::clamp(brep_.quality[b].mesh_volume / volumes_[b], 1 - kMostCorrected,
+                                         1 + kMostCorrected);
+        if (with_more) fit_.sheets.most_functions *= 2;
+        const std::size_t before = count_faults();
+        auto kept = std::make_tuple(brep_, shapes_, is_valid_, faults_, volumes_);
+        fit();
+        if (count_faults() >= before)
+            std::tie(brep_, shapes_, is_valid_, faults_, volumes_) = std::move(kept);
+    }
+
     // Lines that were moved may touch where many meet closely: then they stay where the model has them, if that is better.
     void hold_lines() {
         const auto before = std::ranges::count(is_valid_, 0);
         if (before == 0) return;
-        SmoothBrepOptions steady = options_.fit;
+        SmoothBrepOptions steady = fit_;
         steady.snap_lines = false;
         SmoothBrep moved = std::exchange(brep_, rebuild_smooth_brep(model_, brep_.horizons, steady));
         examine_all();
@@ -127,31 +162,36 @@ class Maker {
         return {};
     }
 
-    // The planar solid of the same part of the layer. Its faces over the body's first triangle tell which it is.
-    std::shared_ptr<const TopoDS_Shape> facets(std::size_t b) const {
-        LayerModel part;
-        const auto& body = brep_.cells.bodies[b];
-        part.units = model_.units;
-        part.origin = model_.origin;
-        part.plan = model_.plan;
-        part.horizons = model_.horizons;
-        part.regions.zero_at = model_.regions.zero_at;
-        part.regions.in_face.resize(model_.regions.in_face.size());
-        for (const auto f : body.faces) part.regions.in_face[f][body.layer] = true;
-        auto bodies = faceted_bodies(build_layer_solid(part, body.layer));
-        if (bodies.size() != 1)
-            throw GeometryError(fmt::format("layer '{}': one of its bodies falls into {} parts",
-                                            body_name(model_.units[body.layer], 0), bodies.size()));
-        return bodies[0].solid;
+    // Planar solids of bodies that can't be smooth.
+    void make_facets() {
+        std::vector<std::size_t> faulty;
+        double least_mean = INFINITY;  // thickness
+        for (std::size_t b = 0; b < shapes_.size(); ++b) {
+            if (faults_[b].empty()) continue;
+            faulty.push_back(b);
+            double area = 0;
+            for (const auto f : brep_.cells.bodies[b].faces)
+                area += model_.plan.surface.calc_face_area(model_.plan.surface.face_handle(f));
+            least_mean = std::min(least_mean, brep_.quality[b].mesh_volume / area);
+        }
+        if (faulty.empty()) return;
+        const auto made =
+            coarse_facets(model_, brep_.cells, faulty,
+                          {.max_error = std::min(options_.facet_error * brep_.size, kFacetShare * least_mean),
+                           .volume_tolerance = options_.volume_tolerance});
+        facets_off_ = made.deviation;
+        for (std::size_t i = 0; i < faulty.size(); ++i) shapes_[faulty[i]] = made.solids[i];
     }
 
     const LayerModel& model_;
     const SmoothBodiesOptions& options_;
+    SmoothBrepOptions fit_;
     SmoothBrep brep_;
     std::vector<std::shared_ptr<const TopoDS_Shape>> shapes_;  // [body]
     std::vector<char> is_valid_;                               // [body]
     std::vector<std::string> faults_;                          // [body]; empty = sound
     std::vector<double> volumes_;
+    double facets_off_ = 0;
 };
 
 }  // namespace

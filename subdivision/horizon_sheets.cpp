@@ -193,8 +193,10 @@ class Fitter {
             for (const auto f : cells_.cells[c].faces) above[result_.of_cell[c]] += area(f) / base.area;
         fit_sheet(b + 1, base.samples, body.faces, above,
                   std::lerp(kGroundShare, 1, (body.layer + 1.0) / static_cast<double>(model_.units.size())));
+        const double wanted =
+            base.volume * (options_.volume_factors.empty() ? 1 : options_.volume_factors[b]);
         for (int round = 0; round < kVolumeRounds; ++round) {
-            const double missing = base.volume - volume_over(body, b + 1);
+            const double missing = wanted - volume_over(body, b + 1);
             if (std::abs(missing) <= kVolumeOff * base.volume) break;
             for (std::size_t i = 0; i < base.thick.size(); ++i)
                 base.samples.inside[i].z -= std::max(missing / base.volume, -kMostShrunk) * base.thick[i];

@@ -16,6 +16,7 @@ struct HorizonSheetsOptions {
     double thickness_tolerance = 0.1;    // the same as a share of the mean thickness of the body
     double thin_tolerance = 0.3;         // the same as a share of the thickness at the place
     std::size_t most_functions = 9'000;  // a sheet
+    std::vector<double> volume_factors;  // [body] of the model's volume, that sheets are fitted to; empty = 1
 };
 
 //! The heights of a layer model as few smooth sheets: one for the ground, one for the base of each body. Where a body
