@@ -17,7 +17,7 @@ constexpr double kBorderWeight = 1e3;  // of a border sample, in mean weights of
 constexpr double kMostUrgent = 1e4;    // of the weight of a sample with the loosest tolerance
 // Spans are halved where samples are off by more than this share of the worst: what is steep at a few places gets its rows
 // and columns there and not everywhere.
-constexpr double kWorthHalving[] = {0.3, 0.6, 0.9};
+constexpr double kWorthHalving[] = {0.3, 0.6, 0.9, 0.99};
 constexpr double kPress = 30;  // on a sample above its limit, a round
 constexpr int kMostRounds = 6;
 
@@ -167,7 +167,8 @@ class HeightFitter {
         while (true) {
             Equations equations(result.patch);
             solve(equations, result.patch);
-            const double worst = measure(result);
+            measure(result);
+            const double worst = worst_to_refine(result.patch);
             if (!(worst > 1 && refine(result.patch, worst))) {
                 press_down(equations, result);
                 return result;
@@ -214,13 +215,11 @@ class HeightFitter {
         }
     }
 
-    // The largest distance, in tolerances.
-    double measure(HeightFit& fit) {
+    void measure(HeightFit& fit) {
         off_inside_ = distances(fit.patch, samples_.inside);
         off_border_ = distances(fit.patch, samples_.border);
         fit.off_inside = off_inside_.empty() ? 0 : std::ranges::max(off_inside_);
         fit.off_border = off_border_.empty() ? 0 : std::ranges::max(off_border_);
-        return std::max(worst_of(samples_.inside, off_inside_), worst_of(samples_.border, off_border_));
     }
 
     static std::vector<double> distances(const HeightPatch& patch, const std::vector<HeightSample>& samples) {
@@ -229,11 +228,21 @@ class HeightFitter {
         return result;
     }
 
-    // In tolerances.
-    static double worst_of(const std::vector<HeightSample>& samples, const std::vector<double>& off) {
+    // The largest distance, in tolerances, where spans may still be halved: what is as fine as it may be must not keep others
+    // from it.
+    double worst_to_refine(const HeightPatch& patch) const {
+        const auto may_halve = [&](const CubicKnots& knots, double t) {
+            const std::size_t s = knots.span(t);
+            return knots.breaks()[s + 1] - knots.breaks()[s] >= options_.finest;
+        };
         double worst = 0;
-        for (std::size_t i = 0; i < samples.size(); ++i)
-            worst = std::max(worst, off[i] / samples[i].tolerance);
+        const auto look = [&](const std::vector<HeightSample>& samples, const std::vector<double>& off) {
+            for (std::size_t i = 0; i < samples.size(); ++i)
+                if (may_halve(patch.x, samples[i].at.x) || may_halve(patch.y, samples[i].at.y))
+                    worst = std::max(worst, off[i] / samples[i].tolerance);
+        };
+        look(samples_.inside, off_inside_);
+        look(samples_.border, off_border_);
         return worst;
     }
 
