@@ -354,6 +354,7 @@ class Build {
         if (arguments_.step == StepKind::Smooth) {
             SmoothBodies smooth = smooth_bodies(model);
             bodies = std::move(smooth.bodies);
+            record.cad = std::move(smooth.reports);
             record.warnings.insert(record.warnings.end(), smooth.notes.begin(), smooth.notes.end());
         } else {
             for (const LayerSolid& solid : solids)

@@ -58,6 +58,19 @@ Json smoothness_json(const SmoothnessReport& report) {
             {"thinnest", report.thinnest}};
 }
 
+Json cad_json(const std::vector<SmoothBodyReport>& bodies) {
+    Json json = Json::array();
+    for (const auto& body : bodies)
+        json.push_back({{"name", body.name},
+                        {"smooth", body.smooth},
+                        {"faces", body.faces},
+                        {"distance", body.off},
+                        {"edge_distance", body.edge_off},
+                        {"volume", body.volume},
+                        {"mesh_volume", body.mesh_volume}});
+    return json;
+}
+
 }  // namespace
 
 std::string numbered_name(std::size_t number, const std::string& name) {
@@ -99,6 +112,7 @@ std::string model_json(const LayerModel& model, const Survey& survey, const Mode
         json["checks"].push_back({{"name", check.name}, {"ok", check.ok}, {"detail", check.detail}});
     json["misfit"] = {{"max", misfit.max}, {"rms", misfit.rms}, {"contacts", misfit.contacts}};
     if (record.smoothness) json["smoothness"] = smoothness_json(*record.smoothness);
+    if (!record.cad.empty()) json["cad"] = cad_json(record.cad);
     if (record.choice) json["auto"] = choice_json(*record.choice);
     json["options"] = record.options;
     json["warnings"] = record.warnings;

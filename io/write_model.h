@@ -9,6 +9,7 @@
 #include "boreholes/audit.h"
 #include "boreholes/borehole.h"
 #include "boreholes/choose_interpolator.h"
+#include "io/smooth_bodies.h"
 #include "mesh/layer_model.h"
 #include "mesh/model_summary.h"
 #include "subdivision/smoothness.h"
@@ -27,6 +28,7 @@ struct ModelRecord {
     std::optional<InterpolatorChoice> choice = {};    // by `auto`: all candidates' errors
     //! By unit, the files of its solids where a model has faults: one a block.
     std::vector<std::vector<std::string>> solids = {};
+    std::vector<SmoothBodyReport> cad = {};  // of `--step smooth`
 };
 
 //! Folders of a model's surfaces, and of those that refinement began with.

@@ -7,10 +7,15 @@
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom_Curve.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <STEPControl_Reader.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include <cmath>
@@ -20,6 +25,7 @@
 #include <sstream>
 
 #include "boreholes/errors.h"
+#include "io/coarse_facets.h"
 #include "io/smooth_bodies.h"
 #include "io/write_brep.h"
 #include "tests/grid_model.h"
@@ -147,6 +153,74 @@ TEST(SmoothStep, what_cannot_be_smooth_has_facets_and_neighbours_stay) {
     EXPECT_NE(made.notes[0].find("'layer 1' is made of facets"), std::string::npos);
     EXPECT_TRUE(BRepCheck_Analyzer(*made.bodies[0].solid).IsValid());
     EXPECT_NEAR(made.reports[0].volume, made.reports[0].mesh_volume, 1e-9 * made.reports[0].mesh_volume);
+}
+
+TEST(SmoothStep, facets_are_few_and_keep_the_volume) {
+    // A lens and what is around it, refused: their facets must fit each other.
+    const auto model = grid_model(
+        {.cells = 40,
+         .ground = [](double x, double y) { return std::sin(x / 30) * std::cos(y / 40); },
+         .thickness = {test::constant(5), [](double x, double y) { return lens(x, y, 50, 50, 30, 6); },
+                       test::constant(5)},
+         .rounds = {{50, 50, 30}}});
+    const PlanCells cells = build_plan_cells(model);
+    ASSERT_EQ(cells.bodies.size(), 3u);
+    for (const double error : {0.2, 0.02}) {
+        const auto coarse = coarse_facets(model, cells, {0, 1, 2}, {.max_error = error});
+        ASSERT_EQ(coarse.solids.size(), 3u);
+        EXPECT_LE(coarse.deviation, error);
+        for (std::size_t b = 0; b < 3; ++b) {
+            double volume = 0;
+            const TriMesh& plan = model.plan.surface;
+            for (const auto f : cells.bodies[b].faces)
+                for (const auto v : plan.fv_range(plan.face_handle(f)))
+                    volume += plan.calc_face_area(plan.face_handle(f)) / 3 *
+                              model.thickness(b, static_cast<std::size_t>(v.idx()));
+            EXPECT_TRUE(BRepCheck_Analyzer(*coarse.solids[b]).IsValid());
+            EXPECT_NEAR(cad_volume(*coarse.solids[b]), volume, 2e-3 * volume) << b << " " << error;
+        }
+    }
+    const auto few = coarse_facets(model, cells, {0}, {.max_error = 1e-6, .most_triangles = 1500});
+    EXPECT_LE(count_faces(*few.solids[0]), 2 * 1500u + 200);
+    EXPECT_GT(few.deviation, 1e-6);
+}
+
+// What is in the file, not what was meant to be.
+TEST(SmoothStep, files_come_back_valid_closed_and_of_the_same_volume) {
+    const auto file = std::filesystem::temp_directory_path() / "smooth_step_test_back.step";
+    const auto report = write_smooth_step(
+        file, grid_model({.cells = 48,
+                          .ground = [](double x, double y) { return std::sin(x / 30) * std::cos(y / 40); },
+                          .thickness = {test::constant(5),
+                                        [](double x, double y) { return lens(x, y, 50, 50, 30, 6); },
+                                        test::constant(5)},
+                          .rounds = {{50, 50, 30}}}));
+    Message::DefaultMessenger()->ChangePrinters().Clear();
+    STEPControl_Reader reader;
+    ASSERT_EQ(reader.ReadFile(file.string().c_str()), IFSelect_RetDone);
+    reader.TransferRoots();
+    const TopoDS_Shape read = reader.OneShape();
+    std::size_t b = 0;
+    for (TopExp_Explorer it(read, TopAbs_SOLID); it.More(); it.Next(), ++b) {
+        ASSERT_LT(b, report.bodies.size());
+        SCOPED_TRACE(report.bodies[b].name);
+        EXPECT_TRUE(BRepCheck_Analyzer(it.Current()).IsValid());
+        for (TopExp_Explorer shell(it.Current(), TopAbs_SHELL); shell.More(); shell.Next())
+            EXPECT_TRUE(BRep_Tool::IsClosed(shell.Current()));
+        EXPECT_EQ(count_faces(it.Current()), report.bodies[b].faces);
+        EXPECT_NEAR(cad_volume(it.Current()) / 1e9, report.bodies[b].mesh_volume,
+                    2e-3 * report.bodies[b].mesh_volume);
+        for (TopExp_Explorer edge(it.Current(), TopAbs_EDGE); edge.More(); edge.Next()) {
+            double from = 0, to = 0;
+            if (BRep_Tool::Curve(TopoDS::Edge(edge.Current()), from, to)->DynamicType()->Name() ==
+                std::string("Geom_BSplineCurve")) {
+                EXPECT_NEAR(from, 0, 1e-12);
+                EXPECT_NEAR(to, 1, 1e-12);
+            }
+        }
+    }
+    EXPECT_EQ(b, 3u);
+    std::filesystem::remove(file);
 }
 
 TEST(SmoothStep, brep_files_hold_shared_faces_once) {

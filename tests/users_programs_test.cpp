@@ -217,6 +217,48 @@ TEST(UsersPrograms, freecad_opens_smooth_solids_of_the_shipped_boreholes) {
     expect_freecad_agrees_on_smooth({"thesis_sample3", "examples/thesis_sample3.csv --refine 1"}, "m");
 }
 
+// Each two neighbours of smooth layers make one solid of the sum of their volumes.
+TEST(UsersPrograms, freecad_joins_smooth_neighbours) {
+    REQUIRE_FREECAD();
+    const TemporaryFolder folder("freecad_join");
+    const auto program = test::quoted(STRATAREEB_PROGRAM), wells = test::quoted(folder.path() / "wells.csv");
+    ASSERT_EQ(
+        test::run(program + " sample --holes 12 --layers 3 -o " + wells, folder.path() / "log").exit_code, 0);
+    const auto built =
+        test::run(program + " build " + wells + " --quiet --refine 1 --formats step --step smooth -o " +
+                      test::quoted(folder.path() / "model"),
+                  folder.path() / "log");
+    ASSERT_EQ(built.exit_code, 0) << built.output;
+    const auto script = folder.path() / "join.py";
+    std::ofstream(script) << "import FreeCAD, Import, os\nImport.insert("
+                          << nlohmann::json((folder.path() / "model" / "model.step").string()).dump()
+                          << ", FreeCAD.newDocument('m').Name, merge=False, useLinkGroup=True)\n"
+                          << R"(
+parts = [p.Shape for p in FreeCAD.ActiveDocument.Objects if p.TypeId == "Part::Feature"]
+for i, a in enumerate(parts):
+    for b in parts[i + 1:]:
+        both = a.fuse(b)
+        if len(both.Solids) == 1:
+            print("\nJOIN", int(both.isValid()), both.Volume / (a.Volume + b.Volume) - 1, flush=True)
+os._exit(0)
+)";
+    const auto outcome =
+        test::run("FREECAD_USER_HOME=" + test::quoted(folder.path()) + " freecadcmd " + test::quoted(script),
+                  folder.path() / "join.log");
+    std::istringstream lines(outcome.output);
+    int joined = 0;
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("JOIN")) continue;
+        int valid = 0;
+        double off = 1;
+        std::istringstream(line.substr(4)) >> valid >> off;
+        EXPECT_EQ(valid, 1) << line;
+        EXPECT_NEAR(off, 0, 1e-3) << line;
+        ++joined;
+    }
+    EXPECT_GE(joined, 2) << outcome.output;
+}
+
 TEST(UsersPrograms, meshlab_agrees_with_build_on_the_shipped_boreholes) {
     REQUIRE_MESHLAB();
     for (const auto& set : kShipped) expect_meshlab_agrees(set);
