@@ -24,7 +24,8 @@ constexpr double kIntegrationShare =
     0.2;                              // of the volume that a body may be off, for how CAD programs integrate
 constexpr double kFacetShare = 0.02;  // of the thinnest body's mean thickness: what facets may be off
 constexpr int kRetries = 2;           // of the fit, while bodies have faults
-constexpr double kMostCorrected = 0.1;  // of a body's volume, a time
+constexpr std::size_t kManyBodies = 40;  // that are fitted once, to come to an end
+constexpr double kMostCorrected = 0.1;   // of a body's volume, a time
 constexpr std::size_t kSpansAStrip[] = {14, 7};
 
 class Maker {
@@ -34,7 +35,8 @@ class Maker {
 
     SmoothBodies make() {
         fit();
-        for (int round = 0; round < kRetries && count_faults() > 0; ++round) try_again(round > 0);
+        const int retries = shapes_.size() > kManyBodies ? 0 : kRetries;
+        for (int round = 0; round < retries && count_faults() > 0; ++round) try_again(round > 0);
         make_facets();
         SmoothBodies result;
         std::map<std::uint32_t, std::size_t> bodies_of_layer;
