@@ -24,9 +24,9 @@ constexpr double kIntegrationShare =
     0.2;                              // of the volume that a body may be off, for how CAD programs integrate
 constexpr double kFacetShare = 0.02;  // of the thinnest body's mean thickness: what facets may be off
 constexpr int kRetries = 2;           // of the fit, while bodies have faults
-constexpr std::size_t kManyBodies = 40;  // that are fitted once, to come to an end
-constexpr double kMostCorrected = 0.1;   // of a body's volume, a time
-constexpr std::size_t kSpansAStrip[] = {14, 7};
+constexpr std::size_t kManyBodies = 40;              // that are fitted once, to come to an end
+constexpr double kMostCorrected = 0.1;               // of a body's volume, a time
+constexpr std::size_t kSpansAStrip[] = {28, 14, 7};  // each cuts those before further
 
 class Maker {
  public:
