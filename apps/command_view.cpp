@@ -23,7 +23,7 @@ struct ViewArguments {
 
 //! Beside the page in the model's folder, unless there is a report.
 fs::path report_beside(const ViewArguments& arguments) {
-    const fs::path file = fs::path(arguments.folder) / "report.html";
+    fs::path file = fs::path(arguments.folder) / "report.html";
     if (arguments.no_report || !arguments.output.empty() || fs::exists(file)) return {};
     Progress progress("view");
     write_report_page(arguments.folder, file, {.title = arguments.title}, progress, true);

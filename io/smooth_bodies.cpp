@@ -53,7 +53,7 @@ class Maker {
                 result.notes.push_back(
                     fmt::format("'{}' is made of facets ({}, up to {:.3g} off the model): {}", body.name,
                                 faces, facets_off_, faults_[b]));
-            else if (quality.off > options_.worth_telling * brep_.size)
+            else if (quality.off > options_.worth_telling * most_off_)
                 result.notes.push_back(fmt::format(
                     "'{}': its smooth faces are up to {:.3g} off the triangles where these are steepest",
                     body.name, quality.off));
@@ -70,8 +70,14 @@ class Maker {
     }
 
  private:
+    // From the highest to the lowest point of the model.
+    double relief() const {
+        return std::ranges::max(model_.horizons.front()) - std::ranges::min(model_.horizons.back());
+    }
+
     void fit() {
         brep_ = build_smooth_brep(model_, fit_);
+        most_off_ = std::min(options_.most_off * brep_.size, options_.most_of_relief * relief());
         examine_all();
         hold_lines();
         for (const std::size_t spans : kSpansAStrip) {
@@ -157,8 +163,7 @@ class Maker {
 
     std::string fault_of(const SmoothBrep::BodyQuality& quality) const {
         if (!(quality.least_thickness > 0)) return "its smooth top and base would cross";
-        if (!(quality.off <= options_.most_off * brep_.size))
-            return fmt::format("smooth faces would be {:.3g} off", quality.off);
+        if (!(quality.off <= most_off_)) return fmt::format("smooth faces would be {:.3g} off", quality.off);
         if (!(quality.edge_off <= options_.most_edge_off * brep_.size))
             return fmt::format("smooth faces would meet only to {:.3g}", quality.edge_off);
         return {};
@@ -187,6 +192,7 @@ class Maker {
 
     const LayerModel& model_;
     const SmoothBodiesOptions& options_;
+    double most_off_ = 0;  // of faces from the model
     SmoothBrepOptions fit_;
     SmoothBrep brep_;
     std::vector<std::shared_ptr<const TopoDS_Shape>> shapes_;  // [body]

@@ -16,8 +16,9 @@ struct SmoothBodiesOptions {
     double volume_tolerance = 2e-3;  // share by which a body's volume may differ from its triangles'
     double most_edge_off = 1e-3;     // share of the size by which faces may miss the edge that they meet in
     double most_off = 1e-2;          // share of the size that a face may be off the model's vertices
-    double facet_error = 1e-3;       // share of the size that facets may be off, where a body has some
-    double worth_telling = 5e-3;     // the same, from which on a note says so
+    double most_of_relief = 0.15;  // share of the range of the model's elevations that it may be off at most
+    double facet_error = 1e-3;     // share of the size that facets may be off, where a body has some
+    double worth_telling = 0.5;    // share of what a face may be off, from which on a note says so
 };
 
 struct SmoothBodyReport {
