@@ -1,12 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "boreholes/reconcile_layers.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace stratareeb {
 
 namespace {
 
-double variance_at(const RatedPrediction& prediction, std::size_t place) {
-    const double error = prediction.error * (prediction.share.empty() ? 1.0 : prediction.share[place]);
+constexpr double kMostError = 1e9;  // of the smallest error above 0: as good as useless
+
+//! What errors count as at most, so that their squares can be added: a fit may have broken down at a left-out site.
+double most_error(std::span<const RatedPrediction> thickness, std::span<const RatedPrediction> depth) {
+    double least = HUGE_VAL;
+    for (const auto& predictions : {thickness, depth})
+        for (const RatedPrediction& p : predictions)
+            if (p.error > 0) least = std::min(least, p.error);
+    return std::isfinite(least) ? kMostError * least : 1;
+}
+
+double variance_at(const RatedPrediction& prediction, double most, std::size_t place) {
+    const double whole = prediction.error <= most ? prediction.error : most;  // most if it is no number
+    const double error = whole * (prediction.share.empty() ? 1.0 : prediction.share[place]);
     return error * error;
 }
 
@@ -59,13 +74,15 @@ std::vector<std::vector<double>> reconcile_layers(std::span<const RatedPredictio
     std::vector<std::vector<double>> result;
     for (const RatedPrediction& layer : thickness) result.push_back(layer.value);
     if (result.size() < 2) return result;
+    const double most = most_error(thickness, depth);
     Corrections corrections(result.size());
     for (std::size_t p = 0; p < result[0].size(); ++p) {
         double sum = 0;
         for (std::size_t i = 0; i < result.size(); ++i) {
             sum += result[i][p];
             const double excess = i > 0 ? depth[i].value[p] - sum : 0;
-            corrections.set(i, variance_at(thickness[i], p), excess, i > 0 ? variance_at(depth[i], p) : 0);
+            corrections.set(i, variance_at(thickness[i], most, p), excess,
+                            i > 0 ? variance_at(depth[i], most, p) : 0);
         }
         const std::vector<double>& moved = corrections.solve();
         for (std::size_t i = 0; i < result.size(); ++i) result[i][p] += moved[i] - (i > 0 ? moved[i - 1] : 0);

@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <random>
 #include <vector>
@@ -161,6 +162,19 @@ TEST(ReconcileLayers, what_has_no_error_at_a_place_stays) {
     EXPECT_EQ(found[1][0], 0);
     EXPECT_EQ(found[0][1], 4);
     for (std::size_t p : {0, 1}) EXPECT_NEAR(found[0][p] + found[1][p] + found[2][p], 13, 1e-12);
+}
+
+TEST(ReconcileLayers, fits_that_broke_down_count_for_nothing) {
+    const double nan = std::numeric_limits<double>::quiet_NaN(), huge = HUGE_VAL;
+    const std::vector<RatedPrediction> thickness{{{4}, 1}, {{5}, 1}, {{6}, 1}};
+    for (const double broken : {huge, nan, 1e200}) {
+        const auto found =
+            reconcile_layers(thickness, std::vector<RatedPrediction>{{{}, 1}, {{90}, broken}, {{17}, 0}});
+        for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(found[i][0], 4 + i + 2.0 / 3, 1e-6) << broken;
+        const auto all = reconcile_layers(std::vector<RatedPrediction>{{{4}, broken}, {{5}, broken}},
+                                          std::vector<RatedPrediction>{{{}, 1}, {{12}, broken}});
+        for (const auto& layer : all) EXPECT_TRUE(std::isfinite(layer[0])) << broken;
+    }
 }
 
 TEST(PredictLayers, honours_the_holes_and_leaves_unlike_layers_alone) {
