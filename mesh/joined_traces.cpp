@@ -52,6 +52,12 @@ std::optional<double> meets(const Point2& p, const Point2& direction, const Segm
     return t;
 }
 
+double distance_to_segment(const Point2& p, const Point2& from, const Point2& to) {
+    const Point2 on = minus(to, from), off = minus(p, from);
+    const double t = std::clamp((off.x * on.x + off.y * on.y) / (on.x * on.x + on.y * on.y), 0.0, 1.0);
+    return distance(p, along(from, on, t));
+}
+
 class TraceJoiner {
  public:
     TraceJoiner(const Footprint& footprint, FaultTraces traces, const std::vector<Point2>& holes)
@@ -143,12 +149,8 @@ class TraceJoiner {
     }
 
     bool is_clear(const Point2& from, const Point2& to) const {
-        const Point2 on = minus(to, from);
-        const double squared = on.x * on.x + on.y * on.y;
         return std::ranges::none_of(holes_, [&](const Point2& hole) {
-            const Point2 off = minus(hole, from);
-            const double t = std::clamp((off.x * on.x + off.y * on.y) / squared, 0.0, 1.0);
-            return distance(hole, along(from, on, t)) < kClear * extent_;
+            return distance_to_segment(hole, from, to) < kClear * extent_;
         });
     }
 
@@ -211,13 +213,7 @@ class TraceJoiner {
 }  // namespace
 
 bool WayOn::holds(const Point2& a, const Point2& b, double tolerance) const {
-    const Point2 on = minus(end, tip);
-    const double squared = on.x * on.x + on.y * on.y;
-    const auto is_on = [&](const Point2& p) {
-        const Point2 off = minus(p, tip);
-        const double t = std::clamp((off.x * on.x + off.y * on.y) / squared, 0.0, 1.0);
-        return distance(p, along(tip, on, t)) <= tolerance;
-    };
+    const auto is_on = [&](const Point2& p) { return distance_to_segment(p, tip, end) <= tolerance; };
     return is_on(a) && is_on(b) && is_on({(a.x + b.x) / 2, (a.y + b.y) / 2});
 }
 
