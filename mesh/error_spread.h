@@ -37,10 +37,11 @@ struct ErrorSpread {
 };
 
 //! How far off a model may be, at each vertex of its plan, from boreholes left out and predicted by the others: errors grow with the
-//! distance of the nearest hole that knows the quantity and are larger where their neighbours are (LocalError). The deviation is
-//! the local size times the root mean square of errors over it; the interval is conformal (PredictionReach). Both fall to 0 at
-//! the holes, which the model meets: nearer to one than any left-out hole was to another, with the root of the distance, as
-//! they do for a linear variogram.
+//! distance of the nearest hole that knows the quantity and are larger where their neighbours are (LocalError). Holes are left out one
+//! by one and, where places are farther from holes than those are from each other, in groups too (matched_draws). The interval is conformal
+//! (PredictionReach); the deviation is the local size times the root mean square of errors over it, but no larger than the 95 % interval
+//! makes it for normal errors. Nearer to a hole than any left-out hole was to another, and farther than all, they change with the root of the
+//! distance, as for a linear variogram; at the holes, which the model meets, they are 0.
 //! \throw InvalidInput if fewer than 5 left-out holes know the quantity, or as hold_out does
 ErrorSpread error_spread(const LayerModel& model, const Survey& survey, const PredictedQuantity& quantity,
                          Spread spread, const ErrorSpreadOptions& options = {});

@@ -11,6 +11,7 @@
 #include "boreholes/nearest_sites.h"
 #include "boreholes/student_t.h"
 #include "mesh/matched_draws.h"
+#include "mesh/plan_gaps.h"
 
 namespace stratareeb {
 
@@ -145,26 +146,6 @@ VolumeUncertainty uncertainty_of(const Errors& of, const Blocks& blocks, double 
     return result;
 }
 
-//! How far the middles of about a thousand equal parts of the window are from their nearest holes.
-std::vector<double> gaps_in(const LayerModel& model, const std::vector<Point2>& sites,
-                            const WindowVolumes& volumes) {
-    constexpr double kParts = 1000;
-    const double part = volumes.area() / kParts;
-    if (!(part > 0)) return {};
-    const NearestSites nearest(sites);
-    std::vector<double> gaps;
-    std::vector<NearSite> found;
-    double sum = part / 2;
-    for (const auto f : model.plan.surface.faces()) {
-        sum += volumes.plan_area[static_cast<std::size_t>(f.idx())];
-        if (!(sum >= part)) continue;
-        const auto middle = model.plan.surface.calc_face_centroid(f);
-        nearest.nearest({middle[0] + model.origin.x, middle[1] + model.origin.y}, 1, found);
-        for (; sum >= part; sum -= part) gaps.push_back(std::sqrt(found[0].squared_distance));
-    }
-    return gaps;
-}
-
 }  // namespace
 
 std::vector<VolumeUncertainty> volume_uncertainty(const LayerModel& model, const Survey& survey,
@@ -176,7 +157,7 @@ std::vector<VolumeUncertainty> volume_uncertainty(const LayerModel& model, const
     std::vector<Point2> sites;
     for (const Borehole& hole : survey.holes) sites.push_back(hole.at);
     const auto draws = without_last_contacts(
-        survey, matched_draws(sites, gaps_in(model, sites, volumes), folds, options.seed));
+        survey, matched_draws(sites, plan_gaps(model, sites, volumes.plan_area), folds, options.seed));
     const auto held = hold_out(survey, draws, {.prediction = options.prediction});
     const auto errors = errors_of(survey, held, window);
     std::vector<std::size_t> draw_of(survey.holes.size());

@@ -61,6 +61,25 @@ TEST(ErrorSpread, intervals_hold_the_truth_between_the_holes) {
     EXPECT_GT(share, 0.93);
 }
 
+TEST(ErrorSpread, intervals_hold_the_truth_between_groups_of_holes) {
+    std::size_t vertices = 0, held = 0;
+    for (std::uint64_t seed = 311; seed <= 316; ++seed) {
+        const Case c = made({.holes = 80, .seed = seed, .plan = HolePlan::Clustered});
+        for (const PredictedQuantity& quantity : kQuantities) {
+            const ErrorSpread spread = error_spread(c.model, c.survey, quantity, Spread::Interval);
+            for (std::size_t v = 0; v < spread.size.size(); ++v) {
+                const double error =
+                    model_value(c.model, quantity, v) - truth_of(c.truth, quantity, place(c.model, v));
+                held += std::abs(error) <= spread.size[v] + 0.002;
+                ++vertices;
+            }
+        }
+    }
+    const double share = static_cast<double>(held) / static_cast<double>(vertices);
+    RecordProperty("coverage", std::to_string(share));
+    EXPECT_GT(share, 0.88);  // left out one by one, the holes of a group predict each other: 0.69
+}
+
 TEST(ErrorSpread, standard_deviation_is_of_the_size_of_errors) {
     double squares = 0, expected = 0;
     for (std::uint64_t seed = 401; seed <= 403; ++seed) {
