@@ -46,11 +46,12 @@ VolumeWindow window_of(const VolumeArguments& arguments) {
 
 //! With no error found at any borehole where there is something, nothing is known of it.
 bool is_known(const VolumeUncertainty& uncertainty, double volume) {
-    return uncertainty.holes >= 2 && (uncertainty.rmse > 0 || volume == 0);
+    return uncertainty.groups >= 2 && (uncertainty.rmse > 0 || volume == 0);
 }
 
 json uncertainty_json(const VolumeUncertainty& uncertainty) {
     return {{"holes", uncertainty.holes},
+            {"groups", uncertainty.groups},
             {"rmse", uncertainty.rmse},
             {"mean_error", uncertainty.mean_error},
             {"standard_error", uncertainty.standard_error},

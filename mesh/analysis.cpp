@@ -218,11 +218,11 @@ class Examination {
     }
 
     void sum_components() {
-        const auto centre = bounding_box(soup_.points).centre();
         for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t) {
             auto& part = parts_[component_[soup_.triangles[t][0]]];
             if (!names_a_vertex_twice(soup_.triangles[t])) ++part.triangles;
-            part.six_volumes.add(six_volumes(soup_, t, centre));
+            // From a vertex of its own: the volume of a small component far from others is not lost in rounding.
+            part.six_volumes.add(six_volumes(soup_, t, soup_.points[part.some_vertex]));
         }
         std::uint32_t first = kNone;
         for (const auto& part : parts_) {

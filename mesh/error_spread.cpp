@@ -142,7 +142,7 @@ LeftOut left_out(const LayerModel& model, const Survey& survey, const PredictedQ
     const std::vector<double> gaps = plan_gaps(model, sites, face_areas(model.plan.surface));
     std::vector<double> known;
     for (const PlacedError& error : result.errors) known.push_back(error.gap);
-    if (most_of(gaps) > most_of(known)) add(matched_draws(sites, gaps, folds, options.seed));
+    if (most_of(gaps) > most_of(known)) add(matched_draws(sites, gaps, folds, options.seed).draws);
     return result;
 }
 

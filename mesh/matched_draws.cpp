@@ -73,19 +73,21 @@ std::vector<double> gaps_of(std::span<const Point2> holes, const std::vector<Dra
 
 }  // namespace
 
-std::vector<Draw> matched_draws(std::span<const Point2> holes, std::vector<double> asked, std::size_t folds,
-                                std::uint64_t seed) {
-    std::vector<Draw> best = fold_draws(holes.size(), folds, seed);
+MatchedDraws matched_draws(std::span<const Point2> holes, std::vector<double> asked, std::size_t folds,
+                           std::uint64_t seed) {
+    MatchedDraws best{fold_draws(holes.size(), folds, seed), std::vector<std::size_t>(holes.size())};
+    std::iota(best.group.begin(), best.group.end(), std::size_t{0});
     if (asked.empty()) return best;
     std::ranges::sort(asked);
-    double least = difference(asked, gaps_of(holes, best));
-    for (std::size_t groups = holes.size() / 2; groups >= kFewestGroups; groups = groups * 3 / 4) {
-        std::vector<Draw> draws = draws_of_groups(groups_of(holes, groups), groups, std::min(folds, groups));
+    double least = difference(asked, gaps_of(holes, best.draws));
+    for (std::size_t count = holes.size() / 2; count >= kFewestGroups; count = count * 3 / 4) {
+        std::vector<std::size_t> group = groups_of(holes, count);
+        std::vector<Draw> draws = draws_of_groups(group, count, std::min(folds, count));
         const std::size_t largest = std::ranges::max(draws, {}, &Draw::size).size();
         if (draws.size() < 2 || 2 * largest > holes.size())
             continue;  // too few would be left to predict from
         const double off = difference(asked, gaps_of(holes, draws));
-        if (off < least) least = off, best = std::move(draws);
+        if (off < least) least = off, best = {std::move(draws), std::move(group)};
     }
     return best;
 }

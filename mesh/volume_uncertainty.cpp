@@ -126,7 +126,30 @@ double deviation(const std::vector<double>& values) {
     return std::sqrt(squares / (count - 1));
 }
 
-VolumeUncertainty uncertainty_of(const Errors& of, const Blocks& blocks, double confidence) {
+//! Errors by groups of holes left out together, which are alike: area in the plan, mean error, and counted area in the window.
+struct Group {
+    double plan = 0, error = 0, window = 0;
+};
+
+std::vector<Group> groups_of(const Errors& of, const Blocks& blocks, const std::vector<double>& weighed,
+                             const std::vector<std::size_t>& group_of) {
+    std::map<std::size_t, Group> groups;
+    for (std::size_t h = 0; h < of.values.size(); ++h) {
+        Group& group = groups[group_of[of.holes[h]]];
+        group.plan += blocks.plan[h];
+        group.error += blocks.plan[h] * of.values[h];
+        group.window += weighed[h];
+    }
+    std::vector<Group> result;
+    for (auto& [number, group] : groups) {
+        if (group.plan > 0) group.error /= group.plan;
+        result.push_back(group);
+    }
+    return result;
+}
+
+VolumeUncertainty uncertainty_of(const Errors& of, const Blocks& blocks,
+                                 const std::vector<std::size_t>& group_of, double confidence) {
     const std::vector<double>& errors = of.values;
     double area = 0, sum = 0, squares = 0, window = 0;
     for (std::size_t h = 0; h < errors.size(); ++h) {
@@ -138,11 +161,18 @@ VolumeUncertainty uncertainty_of(const Errors& of, const Blocks& blocks, double 
     VolumeUncertainty result{
         .holes = errors.size(), .rmse = std::sqrt(squares / area), .mean_error = sum / area};
     const double most = result.rmse > 0 ? std::max(1.0, deviation(of.actual) / result.rmse) : 1;
-    double weighed_squares = 0;
-    for (const double weighed : weighed_areas(blocks, most)) weighed_squares += weighed * weighed;
-    result.standard_error = std::hypot(result.mean_error * window, result.rmse * std::sqrt(weighed_squares));
+    const auto groups = groups_of(of, blocks, weighed_areas(blocks, most), group_of);
+    double group_squares = 0, weighed_squares = 0;
+    for (const Group& group : groups) {
+        group_squares += group.plan * group.error * group.error;
+        weighed_squares += group.window * group.window;
+    }
+    result.groups = groups.size();
+    if (groups.size() < 2) return result;
+    result.standard_error =
+        std::hypot(result.mean_error * window, std::sqrt(group_squares / area * weighed_squares));
     result.half_width = result.standard_error * quantile(MeanLaw::StudentT, 0.5 + confidence / 2,
-                                                         static_cast<double>(errors.size() - 1));
+                                                         static_cast<double>(groups.size() - 1));
     return result;
 }
 
@@ -156,8 +186,9 @@ std::vector<VolumeUncertainty> volume_uncertainty(const LayerModel& model, const
     const std::size_t folds = std::min(options.folds, survey.holes.size());
     std::vector<Point2> sites;
     for (const Borehole& hole : survey.holes) sites.push_back(hole.at);
-    const auto draws = without_last_contacts(
-        survey, matched_draws(sites, plan_gaps(model, sites, volumes.plan_area), folds, options.seed));
+    const MatchedDraws matched =
+        matched_draws(sites, plan_gaps(model, sites, volumes.plan_area), folds, options.seed);
+    const auto draws = without_last_contacts(survey, matched.draws);
     const auto held = hold_out(survey, draws, {.prediction = options.prediction});
     const auto errors = errors_of(survey, held, window);
     std::vector<std::size_t> draw_of(survey.holes.size());
@@ -172,7 +203,7 @@ std::vector<VolumeUncertainty> volume_uncertainty(const LayerModel& model, const
         auto blocks = known.find(holes);
         if (blocks == known.end())
             blocks = known.emplace(holes, blocks_of(model, survey, holes, draw_of, volumes)).first;
-        result[i] = uncertainty_of(errors[i], blocks->second, options.confidence);
+        result[i] = uncertainty_of(errors[i], blocks->second, matched.group, options.confidence);
     }
     return result;
 }

@@ -23,16 +23,17 @@ struct VolumeUncertaintyOptions {
 struct VolumeUncertainty {
     std::size_t holes =
         0;  // that were left out and know the thickness; with fewer than 2 nothing else is known
+    std::size_t groups = 0;  // that those holes stood in; their number where each was left out by itself
     double rmse = 0, mean_error = 0;
     double standard_error = 0;  // of the volume
     double half_width = 0;      // volume ± this
 };
 
 //! For each layer, and last for all of them together, from boreholes left out and predicted by the others (matched_draws: where
-//! they stand in groups, groups together). Each hole stands for the part of the window's plan nearest to it, a_h, and errors of
-//! different holes are taken to be independent:
-//! standard error² = (mean error · sum a_h)² + RMSE² · sum w_h², half width = Student's t with holes - 1 degrees of freedom · that.
-//! Crowded holes so count for no more than the area that they cover. w_h is a_h with places that are farther from their hole than
+//! they stand in groups, groups together). Each hole stands for the part of the window's plan nearest to it, a_h. Errors of holes of one group
+//! are alike, so that a group g counts as one, by its mean error e_g and the area a_g of its holes; a hole that stands alone is a group.
+//! standard error² = (mean error · sum a_g)² + mean of e_g² · sum w_g², half width = Student's t with groups - 1 degrees of freedom · that.
+//! Crowded holes so count for no more than the area that they cover. w is a with places that are farther from their hole than
 //! left-out holes were from theirs (a mean by area) counted by the root of that ratio, as errors grow with distance for a linear
 //! variogram, up to the deviation of the thickness itself. docs/volume.md has the share of true volumes that ± held.
 //! \throw InvalidInput as hold_out does

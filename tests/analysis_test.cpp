@@ -173,6 +173,19 @@ TEST(Analysis, inside_out_bodies_are_not_watertight) {
     EXPECT_FALSE(analyze(mixed).watertight);
 }
 
+TEST(Analysis, small_bodies_far_from_large_ones_are_not_taken_for_flat) {
+    for (int k = 0; k < 40; ++k) {
+        TriangleSoup small = shapes::cube();
+        for (Point3& p : small.points)
+            p = {15772.4 + k + 1e-7 * p.x, 16584.3 - 0.7 * k + 1e-7 * p.y, -11.5 + 1e-7 * p.z};
+        const auto right = analyze(shapes::joined(shapes::cube(), small));
+        EXPECT_EQ(right.inverted_components, 0u) << k;
+        EXPECT_TRUE(right.watertight) << k;
+        EXPECT_EQ(analyze(shapes::joined(shapes::cube(), shapes::turned_over(small))).inverted_components, 1u)
+            << k;
+    }
+}
+
 TEST(Analysis, non_manifold_edges_and_vertices_are_counted_and_named) {
     auto wing = shapes::cube();
     wing.points.push_back({-1, -1, 0.5});

@@ -49,7 +49,7 @@ TEST(MatchedDraws, leave_every_hole_out_once_and_never_more_than_half) {
     for (const HolePlan plan : {HolePlan::Random, HolePlan::Clustered, HolePlan::Grid, HolePlan::Line})
         for (std::uint64_t seed = 1; seed <= 20; ++seed) {
             const auto holes = places(plan, seed, 12 + 3 * seed);
-            const auto draws = matched_draws(holes, distances(holes), 10, seed);
+            const auto draws = matched_draws(holes, distances(holes), 10, seed).draws;
             std::vector<int> times(holes.size(), 0);
             EXPECT_GE(draws.size(), 2u);
             for (const Draw& draw : draws) {
@@ -64,7 +64,7 @@ TEST(MatchedDraws, leave_every_hole_out_once_and_never_more_than_half) {
 TEST(MatchedDraws, of_evenly_spread_holes_are_folds) {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         const auto holes = places(HolePlan::Grid, seed, 49);
-        EXPECT_EQ(matched_draws(holes, distances(holes), 10, seed), fold_draws(holes.size(), 10, seed));
+        EXPECT_EQ(matched_draws(holes, distances(holes), 10, seed).draws, fold_draws(holes.size(), 10, seed));
     }
 }
 
@@ -74,7 +74,7 @@ TEST(MatchedDraws, of_groups_are_as_far_from_the_rest_as_places_are_from_holes) 
         const auto holes = places(HolePlan::Clustered, seed);
         const auto wanted = distances(holes);
         folds += mean_gap(holes, fold_draws(holes.size(), 10, seed));
-        matched += mean_gap(holes, matched_draws(holes, wanted, 10, seed));
+        matched += mean_gap(holes, matched_draws(holes, wanted, 10, seed).draws);
         asked += mean(wanted);
     }
     EXPECT_LT(folds, 0.5 * asked);
@@ -86,7 +86,7 @@ TEST(MatchedDraws, need_two_folds_and_as_many_holes) {
     const auto holes = places(HolePlan::Random, 1, 5);
     EXPECT_THROW(matched_draws(holes, {1.0}, 6, 1), InvalidInput);
     EXPECT_THROW(matched_draws(holes, {1.0}, 1, 1), InvalidInput);
-    EXPECT_EQ(matched_draws(holes, {}, 5, 1), fold_draws(5, 5, 1));
+    EXPECT_EQ(matched_draws(holes, {}, 5, 1).draws, fold_draws(5, 5, 1));
 }
 
 }  // namespace

@@ -274,7 +274,7 @@ TEST(VolumeUncertainty, holds_the_truth) {
     EXPECT_LT(width, 0.5 * cases);  // and says something
 }
 
-//! Where holes stand in groups, groups are left out together; without that ± held 0.78 of these.
+//! Where holes stand in groups, groups are left out together; without that ± held 0.78 of these, with holes of a group taken for independent 0.83.
 TEST(VolumeUncertainty, holds_the_truth_mostly_where_holes_stand_in_groups) {
     int held = 0, cases = 0;
     for (std::uint64_t seed = 6001; seed <= 6012; ++seed) {
@@ -294,7 +294,7 @@ TEST(VolumeUncertainty, holds_the_truth_mostly_where_holes_stand_in_groups) {
             ++cases;
         }
     }
-    EXPECT_GE(held, 0.8 * cases);
+    EXPECT_GE(held, 0.86 * cases);
 }
 
 TEST(VolumeUncertainty, of_even_blocks_is_rmse_times_area_over_root_n) {
