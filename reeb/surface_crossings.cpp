@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <ranges>
 #include <tuple>
 #include <utility>
@@ -13,38 +12,7 @@ namespace stratareeb {
 
 namespace {
 
-constexpr double kMostLogarithm = 60;  // of the stretch: heights stay far from what a double can't hold
-
-//! Of what is above 0; 0 if nothing is.
-double median(std::vector<double> values) {
-    std::erase_if(values, [](double value) { return !(value > 0); });
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
-
-double stretch_of(const TriangleSoup& soup) {
-    std::vector<double> widths, rises;
-    for (const auto& [i, j, k] : soup.triangles) {
-        const Point3 &a = soup.points[i], &b = soup.points[j], &c = soup.points[k];
-        const auto extent = [&](double Point3::*axis) {
-            return std::max({a.*axis, b.*axis, c.*axis}) - std::min({a.*axis, b.*axis, c.*axis});
-        };
-        widths.push_back(std::max(extent(&Point3::x), extent(&Point3::y)));
-        rises.push_back(extent(&Point3::z));
-    }
-    const double width = median(std::move(widths)), rise = median(std::move(rises));
-    if (!(width > 0 && rise > 0)) return 1;
-    return std::exp2(std::clamp(std::round(std::log2(width / rise)), 0.0, kMostLogarithm));
-}
-
-TriangleSoup stretched(const TriangleSoup& soup) {
-    TriangleSoup result = soup;
-    const double stretch = stretch_of(soup);
-    for (Point3& p : result.points) p.z *= stretch;
-    return result;
-}
+constexpr std::size_t kMostKnown = 100'000;  // pairs that are kept from one surface to the next
 
 std::uint64_t mixed(std::uint64_t x) {  // the finish of splitmix64
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
@@ -71,10 +39,6 @@ std::array<Point3, 3> corners_of(const TriangleSoup& soup, std::size_t t) {
 
 }  // namespace
 
-SelfIntersections surface_crossings(const TriangleSoup& soup, std::size_t named) {
-    return self_intersections(stretched(soup), named);
-}
-
 SelfIntersections CrossingSearch::of(const TriangleSoup& soup, std::size_t named) {
     const std::size_t count = soup.triangles.size();
     std::vector<Corners> triangles(count);
@@ -96,15 +60,15 @@ SelfIntersections CrossingSearch::of(const TriangleSoup& soup, std::size_t named
         i += hash <= hash_before;
         k += hash_before <= hash;
     }
-    SelfIntersections found = self_intersections_of(stretched(soup), is_new, named);
+    SelfIntersections found = self_intersections_of(soup, is_new, std::max(named, kMostKnown));
     for (const auto& [a, b] : crossing_) {
         if (now[a] == ~0u || now[b] == ~0u) continue;
         ++found.count;
         found.first.push_back({std::min(now[a], now[b]), std::max(now[a], now[b])});
     }
     std::ranges::sort(found.first);
-    if (found.first.size() > named) found.first.resize(named);
     remember(std::move(triangles), std::move(order), found);
+    if (found.first.size() > named) found.first.resize(named);
     return found;
 }
 

@@ -12,12 +12,8 @@
 
 namespace stratareeb {
 
-//! The same as self_intersections, faster for surfaces between contours: their triangles are long along contours and low, and lie in
-//! layers of height. Heights are stretched by a power of two, which changes no answer, until triangles are about as high as wide.
-SelfIntersections surface_crossings(const TriangleSoup& soup, std::size_t named);
-
-//! The same again for surfaces that are made one after the other and differ in places only: pairs of triangles that were both in the
-//! surface before are not looked at again.
+//! Where surfaces cross themselves (see self_intersections) that are made one after the other and differ in places only: pairs of triangles
+//! that were both in the surface before are not looked at again.
 class CrossingSearch {
  public:
     SelfIntersections of(const TriangleSoup& soup, std::size_t named);

@@ -93,19 +93,6 @@ TEST(GradedLevels, are_squares_of_even_steps_beside_graded_ends) {
     EXPECT_TRUE(graded_levels({}, 0, 1, {.low = true}).empty());
 }
 
-TEST(SurfaceCrossings, are_those_of_the_surface_as_it_is) {
-    TriangleSoup flat = shapes::joined(shapes::uv_sphere(1, 12, 16),
-                                       shapes::moved(shapes::uv_sphere(1, 12, 16), 0.7, 0.2, 0.1));
-    for (const double scale : {1.0, 1e-3, 1e-9}) {
-        TriangleSoup soup = flat;
-        for (Point3& p : soup.points) p.z *= scale;
-        const auto expected = self_intersections(soup, 1000), found = surface_crossings(soup, 1000);
-        EXPECT_GT(found.count, 0u);
-        EXPECT_EQ(found.count, expected.count);
-        EXPECT_EQ(found.first, expected.first);
-    }
-}
-
 //! Some triangles leave, some come, the others get other numbers and begin with another corner.
 TriangleSoup changed(const TriangleSoup& before, std::mt19937& random) {
     TriangleSoup soup = before;

@@ -199,6 +199,19 @@ TEST(SelfIntersection, far_from_the_origin_is_decided_exactly) {
     EXPECT_GT(self_intersections(shapes::joined(base, base)).count, 0u);
 }
 
+TEST(SelfIntersection, is_the_same_however_flat) {
+    TriangleSoup soup = shapes::joined(shapes::uv_sphere(1, 12, 16),
+                                       shapes::moved(shapes::uv_sphere(1, 12, 16), 0.7, 0.2, 0.1));
+    const auto expected = self_intersections(soup, 1000);
+    EXPECT_GT(expected.count, 0u);
+    for (int round = 0; round < 6; ++round) {
+        for (Point3& p : soup.points) p = {p.y, p.z / 1024, p.x};  // exactly
+        const auto found = self_intersections(soup, 1000);
+        EXPECT_EQ(found.count, expected.count);
+        EXPECT_EQ(found.first, expected.first);
+    }
+}
+
 TEST(SelfIntersection, of_some_triangles_are_the_pairs_with_one_of_them) {
     std::mt19937 random(9);
     std::size_t total = 0;
