@@ -172,32 +172,45 @@ class GraphOfMesh {
                         lower.value, upper.value, p.x, p.y));
     }
 
-    //! Between neighbours, half way, until what the homotopy makes there crosses nothing and is near enough.
+    //! Between neighbours, half way, until what the homotopy makes there crosses nothing and is near enough; the whole edge once, then
+    //! where that was not enough, so that no place takes the room of others.
     void refine(const SweepEdge& edge, Contours& contours) const {
+        std::vector<bool> is_open(contours.size() - 1, true);  // intervals
+        for (std::size_t round = 0; std::ranges::find(is_open, true) != is_open.end(); ++round) {
+            Contours finer;
+            std::vector<bool> is_open_then;
+            std::size_t room = options_.most_per_arc - std::min(options_.most_per_arc, contours.size());
+            for (std::size_t k = 0; k < is_open.size(); ++k) {
+                finer.push_back(contours[k]);
+                auto middle =
+                    is_open[k] && room > 0 ? needed_between(edge, contours, k, round) : std::nullopt;
+                is_open_then.resize(is_open_then.size() + (middle ? 2 : 1), middle.has_value());
+                if (!middle) continue;
+                --room;
+                finer.push_back(std::move(*middle));
+            }
+            finer.push_back(std::move(contours.back()));
+            contours = std::move(finer);
+            is_open = std::move(is_open_then);
+        }
+    }
+
+    std::optional<LevelContour> needed_between(const SweepEdge& edge, const Contours& contours, std::size_t k,
+                                               std::size_t round) const {
+        const double low = contours[k].z, high = contours[k + 1].z, z = low + kHalf * (high - low);
+        if (!(low < z && z < high)) return std::nullopt;
         const HeightScale scale(lower_node(edge).value, upper_node(edge).value, is_round(edge.lower),
                                 is_round(edge.upper));
-        const double least_gap =
-            kLeastGap * (contours.back().z - contours.front().z);  // of what crosses all the same
-        for (std::size_t k = 0; k + 1 < contours.size() && contours.size() < options_.most_per_arc;) {
-            const double gap = contours[k + 1].z - contours[k].z, z = contours[k].z + 0.5 * gap;
-            if (!(contours[k].z < z && z < contours[k + 1].z)) {
-                ++k;
-                continue;
-            }
-            const bool crosses = gap > least_gap && crosses_between(contours, k, scale, options_.homotopy);
-            if (!crosses && options_.tolerance <= 0) {
-                ++k;
-                continue;
-            }
-            LevelContour middle = mesh_contours_.at(edge, z);
-            if (!make_sound(middle) ||
-                (!crosses &&
-                 plan_deviation(middle.points, contour_between(contours, k, z, scale, options_.homotopy)) <=
-                     options_.tolerance))
-                ++k;
-            else
-                contours.insert(contours.begin() + static_cast<std::ptrdiff_t>(k) + 1, std::move(middle));
-        }
+        const bool crosses =
+            round < kCrossingHalvings && crosses_between(contours, k, scale, options_.homotopy);
+        if (!crosses && options_.tolerance <= 0) return std::nullopt;
+        LevelContour middle = mesh_contours_.at(edge, z);
+        if (!make_sound(middle)) return std::nullopt;
+        if (!crosses &&
+            plan_deviation(middle.points, contour_between(contours, k, z, scale, options_.homotopy)) <=
+                options_.tolerance)
+            return std::nullopt;
+        return middle;
     }
 
     void add_contours_at_saddles() {
@@ -382,8 +395,9 @@ class GraphOfMesh {
     static constexpr double kNearEnd = 0.3;  // contours spread beside a node like the root of the height
     static constexpr double kShareOfTolerance =
         0.8;  // places between those asked, and joining otherwise, may be farther
-    static constexpr double kLeastRise = 1e-12;        // of heights: rounding would make edges fall
-    static constexpr std::ptrdiff_t kFewVertices = 8;  // in a thin slice
+    static constexpr double kLeastRise = 1e-12;          // of heights: rounding would make edges fall
+    static constexpr std::ptrdiff_t kFewVertices = 8;    // in a thin slice
+    static constexpr std::size_t kCrossingHalvings = 4;  // of an interval: what crosses then is mended last
     static constexpr std::size_t kNearRounds = 12;
     static constexpr std::size_t kQuickRounds = 2;
     static constexpr std::size_t kCrossingsLookedAt = 5000;  // pairs of triangles

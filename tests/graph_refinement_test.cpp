@@ -93,6 +93,19 @@ TEST(GradedLevels, are_squares_of_even_steps_beside_graded_ends) {
     EXPECT_TRUE(graded_levels({}, 0, 1, {.low = true}).empty());
 }
 
+TEST(GraphRefinement, no_place_takes_the_room_of_others) {
+    const TriMesh mesh = half_edge_mesh(ellipsoid());
+    const auto graph = graph_of_mesh(mesh, {.levels = 2, .tolerance = 1e-6, .most_per_arc = 12});
+    ASSERT_EQ(graph.edges.size(), 1u);
+    EXPECT_EQ(graph.contours.size(), 12u);
+    std::vector<double> heights;
+    for (const EnhancedNode& node : graph.nodes) heights.push_back(node.position.z);
+    for (const EnhancedContour& contour : graph.contours) heights.push_back(contour.curve.points.front().z);
+    std::ranges::sort(heights);
+    for (std::size_t i = 1; i < heights.size(); ++i)
+        EXPECT_LT(heights[i] - heights[i - 1], 0.3 * (heights.back() - heights.front()));
+}
+
 //! Some triangles leave, some come, the others get other numbers and begin with another corner.
 TriangleSoup changed(const TriangleSoup& before, std::mt19937& random) {
     TriangleSoup soup = before;
