@@ -2,7 +2,7 @@
 #include "reeb/far_places.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 #include "reeb/point_math.h"
 
@@ -10,8 +10,26 @@ namespace stratareeb {
 
 namespace {
 
-constexpr double kFinest = 1.0 / 300;   // of the box's diagonal, between points asked on the mesh
-constexpr std::size_t kMostParts = 64;  // of a triangle's side
+constexpr double kFinest = 1.0 / 500;  // of the box's diagonal: what is smaller is not cut further
+
+//! A triangle, or a part of one.
+struct Piece {
+    std::array<Point3, 3> corners;
+    std::uint32_t triangle;
+
+    Point3 middle() const { return (1.0 / 3) * (corners[0] + corners[1] + corners[2]); }
+    double radius() const {
+        const Point3 m = middle();
+        return std::max({magnitude(corners[0] - m), magnitude(corners[1] - m), magnitude(corners[2] - m)});
+    }
+};
+
+void quarter(const Piece& piece, std::vector<Piece>& quarters) {
+    const auto& [a, b, c] = piece.corners;
+    const Point3 ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
+    for (const auto& corners : {std::array{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
+        quarters.push_back({corners, piece.triangle});
+}
 
 TriangleSoup without_fillings(const TriMesh& mesh, std::size_t first_filled) {
     TriangleSoup soup = triangle_soup(mesh);
@@ -41,26 +59,34 @@ FarPlaces::FarPlaces(const TriMesh& mesh, std::size_t first_filled, const ReebGr
       sweep_(sweep),
       mesh_(without_fillings(mesh, first_filled)),
       to_mesh_(mesh_),
+      finest_(kFinest * diagonal(mesh_)),
       edges_(graph.arcs.size()) {
     for (std::uint32_t e = 0; e < sweep.edges.size(); ++e)
         for (const SweepSegment& segment : sweep.edges[e].segments) edges_[segment.arc].push_back(e);
 }
 
-std::vector<FarPlaces::Sample> FarPlaces::mesh_samples(double distance) const {
-    const double spacing = std::max(distance, kFinest * diagonal(mesh_));
+//! Distances change no faster than places: all of a piece is near enough if its middle is nearer by its radius. Else it is cut in four.
+std::vector<FarPlaces::Sample> FarPlaces::far_samples(const TriangleSoup& from, const SurfaceDistance& to,
+                                                      double distance, double bound) const {
+    std::vector<Piece> pieces;
+    for (std::uint32_t t = 0; t < from.triangles.size(); ++t) {
+        const auto& [i, j, k] = from.triangles[t];
+        pieces.push_back({{from.points[i], from.points[j], from.points[k]}, t});
+    }
     std::vector<Sample> samples;
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-        const auto& [i, j, k] = mesh_.triangles[t];
-        const Point3 &a = mesh_.points[i], &b = mesh_.points[j], &c = mesh_.points[k];
-        const double side = std::max({magnitude(b - a), magnitude(c - b), magnitude(a - c)});
-        const auto parts = static_cast<std::size_t>(
-            std::clamp(std::ceil(side / spacing), 1.0, static_cast<double>(kMostParts)));
-        for (std::size_t u = 0; u <= parts; ++u)
-            for (std::size_t v = 0; u + v <= parts; ++v) {
-                const double p = static_cast<double>(u) / static_cast<double>(parts),
-                             q = static_cast<double>(v) / static_cast<double>(parts);
-                samples.push_back({a + p * (b - a) + q * (c - a), t});
-            }
+    while (!pieces.empty()) {
+        std::vector<Point3> middles;
+        for (const Piece& piece : pieces) middles.push_back(piece.middle());
+        const std::vector<double> distances = to.of(middles);
+        std::vector<Piece> next;
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            const double radius = pieces[i].radius();
+            if (distances[i] > distance)
+                samples.push_back({middles[i], pieces[i].triangle});
+            else if (distances[i] + radius > bound && radius > finest_)
+                quarter(pieces[i], next);
+        }
+        pieces = std::move(next);
     }
     return samples;
 }
@@ -80,27 +106,14 @@ void FarPlaces::add_places_on_edges(const Sample& sample, const std::vector<std:
         }
 }
 
-std::set<GraphPlace> FarPlaces::beyond(double distance, const ConstructedSurface& surface,
+std::set<GraphPlace> FarPlaces::beyond(double distance, double bound, const ConstructedSurface& surface,
                                        const std::vector<std::vector<double>>& heights) const {
-    const TriangleSoup& soup = surface.soup;
-    std::vector<Point3> asked = soup.points;
-    for (const auto& [a, b, c] : soup.triangles)
-        asked.push_back((1.0 / 3) * (soup.points[a] + soup.points[b] + soup.points[c]));
-    const std::vector<double> from_surface = to_mesh_.of(asked);
     std::set<GraphPlace> places;
-    for (std::uint32_t t = 0; t < soup.triangles.size(); ++t) {
-        if (surface.triangle_part[t] == kNoPart) continue;
-        const std::size_t middle = soup.points.size() + t;
-        const auto is_far = [&](std::size_t i) { return from_surface[i] > distance; };
-        if (is_far(middle) || std::ranges::any_of(soup.triangles[t], is_far))
-            places.insert(place_at(surface.triangle_edge[t], asked[middle].z, heights));
-    }
-    const std::vector<Sample> samples = mesh_samples(distance);
-    std::vector<Point3> on_mesh;
-    for (const Sample& sample : samples) on_mesh.push_back(sample.place);
-    const std::vector<double> from_mesh = SurfaceDistance(soup).of(on_mesh);
-    for (std::size_t i = 0; i < samples.size(); ++i)
-        if (from_mesh[i] > distance) add_places_on_edges(samples[i], heights, places);
+    for (const auto& [place, t] : far_samples(surface.soup, to_mesh_, distance, bound))
+        if (surface.triangle_part[t] != kNoPart)
+            places.insert(place_at(surface.triangle_edge[t], place.z, heights));
+    for (const Sample& sample : far_samples(mesh_, SurfaceDistance(surface.soup), distance, bound))
+        add_places_on_edges(sample, heights, places);
     return places;
 }
 

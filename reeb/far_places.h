@@ -25,10 +25,11 @@ class FarPlaces {
     //! \pre all outlive this
     FarPlaces(const TriMesh& mesh, std::size_t first_filled, const ReebGraph& graph, const SweepGraph& sweep);
 
-    //! Asked at corners and middles of the surface's triangles, and at points of the mesh's triangles no further apart than the
-    //! distance or a 300th of the mesh's box.
+    //! \param distance from which on a place is far
+    //! \param bound above it, that no place is to exceed: the surfaces are asked as closely as that takes, but no closer than a 500th of the mesh's
+    //! box
     //! \param heights by edge: of its contours, ascending
-    std::set<GraphPlace> beyond(double distance, const ConstructedSurface& surface,
+    std::set<GraphPlace> beyond(double distance, double bound, const ConstructedSurface& surface,
                                 const std::vector<std::vector<double>>& heights) const;
 
  private:
@@ -37,7 +38,8 @@ class FarPlaces {
         std::uint32_t triangle;
     };
 
-    std::vector<Sample> mesh_samples(double distance) const;
+    std::vector<Sample> far_samples(const TriangleSoup& from, const SurfaceDistance& to, double distance,
+                                    double bound) const;
     void add_places_on_edges(const Sample& sample, const std::vector<std::vector<double>>& heights,
                              std::set<GraphPlace>& places) const;
 
@@ -45,6 +47,7 @@ class FarPlaces {
     const SweepGraph& sweep_;
     TriangleSoup mesh_;
     SurfaceDistance to_mesh_;
+    double finest_;
     std::vector<std::vector<std::uint32_t>> edges_;  // by arc of the Reeb graph
 };
 

@@ -304,7 +304,7 @@ class GraphOfMesh {
             heights.emplace_back();
             for (const LevelContour& contour : contours) heights.back().push_back(contour.z);
         }
-        return far_->beyond(kShareOfTolerance * options_.tolerance, surface, heights);
+        return far_->beyond(kShareOfTolerance * options_.tolerance, options_.tolerance, surface, heights);
     }
 
     void come_near() {
@@ -394,7 +394,7 @@ class GraphOfMesh {
     static constexpr double kHalf = 0.5;
     static constexpr double kNearEnd = 0.3;  // contours spread beside a node like the root of the height
     static constexpr double kShareOfTolerance =
-        0.8;  // places between those asked, and joining otherwise, may be farther
+        0.8;  // what is between, and joining otherwise, may bring places farther off
     static constexpr double kLeastRise = 1e-12;          // of heights: rounding would make edges fall
     static constexpr std::ptrdiff_t kFewVertices = 8;    // in a thin slice
     static constexpr std::size_t kCrossingHalvings = 4;  // of an interval: what crosses then is mended last
