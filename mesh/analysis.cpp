@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "boreholes/errors.h"
 #include "mesh/compensated_sum.h"
@@ -159,23 +160,15 @@ class Examination {
     }
 
     void count_fans() {
-        std::vector<std::uint32_t> fan(soup_.points.size(), kNone);
-        std::vector<bool> counted_already(soup_.points.size(), false);
-        std::uint32_t first = kNone;
-        for (std::uint32_t c = 0; c < topology_.fan_of_corner.size(); ++c) {
-            if (topology_.edge_of_side[c] == kNone) continue;
-            const auto v = vertex_at(soup_, c);
-            if (fan[v] == kNone) fan[v] = topology_.fan_of_corner[c];
-            if (fan[v] == topology_.fan_of_corner[c] || counted_already[v]) continue;
-            counted_already[v] = true;
-            ++r_.non_manifold_vertices;
-            first = std::min(first, v);
-        }
+        std::set<std::uint32_t> vertices;
+        for (const std::uint32_t corner : corners_in_further_fans(soup_, topology_))
+            vertices.insert(vertex_at(soup_, corner));
+        r_.non_manifold_vertices = vertices.size();
         r_.manifold = !soup_.triangles.empty() && r_.non_manifold_edges == 0 && r_.non_manifold_vertices == 0;
-        if (first != kNone)
+        if (!vertices.empty())
             problem(fmt::format("{} with more than one fan of triangles, first vertex {} at {}",
-                                counted(r_.non_manifold_vertices, "vertex", "vertices"), first,
-                                text(soup_.points[first])));
+                                counted(vertices.size(), "vertex", "vertices"), *vertices.begin(),
+                                text(soup_.points[*vertices.begin()])));
     }
 
     // Boundary edges follow each other around a fan; fans that merely touch in a vertex are taken apart.

@@ -248,13 +248,9 @@ class BlockJoiner {
                 block.push_back(b);
             }
         soup.points.resize(number.size());
-        const SoupTopology topology = soup_topology(soup);
-        std::vector<std::uint32_t> fan(soup.points.size(), SoupTopology::kNone), touching;
-        for (std::uint32_t corner = 0; corner < 3 * soup.triangles.size(); ++corner) {
-            auto& known = fan[vertex_at(soup, corner)];
-            if (known == SoupTopology::kNone) known = topology.fan_of_corner[corner];
-            if (known != topology.fan_of_corner[corner]) touching.push_back(block[corner / 3]);
-        }
+        std::vector<std::uint32_t> touching;
+        for (const std::uint32_t corner : corners_in_further_fans(soup, soup_topology(soup)))
+            touching.push_back(block[corner / 3]);
         return touching;
     }
 

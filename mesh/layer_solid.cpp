@@ -20,16 +20,11 @@ using Vertex = TriMesh::VertexHandle;
 using Face = TriMesh::FaceHandle;
 
 bool is_closed_manifold(const TriangleSoup& soup) {
+    if (std::ranges::any_of(soup.triangles, names_a_vertex_twice)) return false;
     const SoupTopology topology = soup_topology(soup);
     for (std::size_t e = 0; e < topology.edge_count(); ++e)
         if (topology.sides_of(e).size() != 2) return false;
-    std::vector<std::uint32_t> fan(soup.points.size(), SoupTopology::kNone);
-    for (std::uint32_t corner = 0; corner < 3 * soup.triangles.size(); ++corner) {
-        auto& known = fan[vertex_at(soup, corner)];
-        if (known != SoupTopology::kNone && known != topology.fan_of_corner[corner]) return false;
-        known = topology.fan_of_corner[corner];
-    }
-    return true;
+    return corners_in_further_fans(soup, topology).empty();
 }
 
 //! Top and base vertices of one layer's solid over the plan vertices; the same vertex where the layer has no

@@ -84,4 +84,15 @@ SoupTopology soup_topology(const TriangleSoup& soup) {
     return topology;
 }
 
+std::vector<std::uint32_t> corners_in_further_fans(const TriangleSoup& soup, const SoupTopology& topology) {
+    std::vector<std::uint32_t> first(soup.points.size(), SoupTopology::kNone), further;
+    for (std::uint32_t corner = 0; corner < topology.fan_of_corner.size(); ++corner) {
+        if (topology.edge_of_side[corner] == SoupTopology::kNone) continue;
+        std::uint32_t& known = first[vertex_at(soup, corner)];
+        if (known == SoupTopology::kNone) known = topology.fan_of_corner[corner];
+        if (known != topology.fan_of_corner[corner]) further.push_back(corner);
+    }
+    return further;
+}
+
 }  // namespace stratareeb

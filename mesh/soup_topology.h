@@ -50,6 +50,10 @@ struct SoupTopology {
 
 SoupTopology soup_topology(const TriangleSoup& soup);
 
+//! Corners, ascending, that are in another fan than the first corner at their vertex: none where each vertex has one fan. Triangles that name
+//! a vertex twice are left out.
+std::vector<std::uint32_t> corners_in_further_fans(const TriangleSoup& soup, const SoupTopology& topology);
+
 inline std::uint32_t next_corner(std::uint32_t corner) {
     return corner % 3 == 2 ? corner - 2 : corner + 1;
 }

@@ -41,15 +41,11 @@ void require_manifold(const TriangleSoup& soup, const SoupTopology& topology) {
         if (sides.size() == 2 && vertex_at(soup, sides[0]) == vertex_at(soup, sides[1]))
             refuse_edge(soup, sides[0], "has triangles that are wound against each other");
     }
-    std::vector<std::uint32_t> fan(soup.points.size(), SoupTopology::kNone);
-    for (std::uint32_t c = 0; c < topology.fan_of_corner.size(); ++c) {
-        auto& known = fan[vertex_at(soup, c)];
-        if (known == SoupTopology::kNone) known = topology.fan_of_corner[c];
-        if (known != topology.fan_of_corner[c])
-            throw InvalidInput(
-                fmt::format("vertex {} at {} has more than one fan of triangles (not a manifold)",
-                            vertex_at(soup, c), place(soup.points[vertex_at(soup, c)])));
-    }
+    const auto further = corners_in_further_fans(soup, topology);
+    if (further.empty()) return;
+    const std::uint32_t v = vertex_at(soup, further.front());
+    throw InvalidInput(fmt::format("vertex {} at {} has more than one fan of triangles (not a manifold)", v,
+                                   place(soup.points[v])));
 }
 
 // Half-edges straight from the edge table, several times faster than add_face one by one, which searches each

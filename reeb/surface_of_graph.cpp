@@ -164,15 +164,12 @@ class Assembly {
     void part_fans() {
         TriangleSoup& soup = surface_.soup;
         const SoupTopology topology = soup_topology(soup);
-        std::vector<std::uint32_t> fan(soup.points.size(), kNone);
         std::map<std::uint32_t, std::uint32_t> copy;  // by fan
         std::vector<Triangle> triangles = soup.triangles;
-        for (std::uint32_t corner = 0; corner < topology.fan_of_corner.size(); ++corner) {
-            const std::uint32_t v = vertex_at(soup, corner), own = topology.fan_of_corner[corner];
-            if (fan[v] == kNone) fan[v] = own;
-            if (fan[v] == own) continue;
-            const auto [at, is_new] = copy.try_emplace(own, static_cast<std::uint32_t>(soup.points.size()));
-            if (is_new) soup.points.push_back(Point3(soup.points[v]));
+        for (const std::uint32_t corner : corners_in_further_fans(soup, topology)) {
+            const auto [at, is_new] = copy.try_emplace(topology.fan_of_corner[corner],
+                                                       static_cast<std::uint32_t>(soup.points.size()));
+            if (is_new) soup.points.push_back(Point3(soup.points[vertex_at(soup, corner)]));
             triangles[corner / 3][corner % 3] = at->second;
         }
         soup.triangles = std::move(triangles);
