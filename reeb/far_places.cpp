@@ -24,11 +24,18 @@ struct Piece {
     }
 };
 
-void quarter(const Piece& piece, std::vector<Piece>& quarters) {
-    const auto& [a, b, c] = piece.corners;
-    const Point3 ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
-    for (const auto& corners : {std::array{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
-        quarters.push_back({corners, piece.triangle});
+//! Across the longest side: most triangles are long and low.
+void halve(const Piece& piece, std::vector<Piece>& halves) {
+    auto [a, b, c] = piece.corners;
+    while (magnitude(b - a) < std::max(magnitude(c - b), magnitude(a - c))) {
+        const Point3 first = a;
+        a = b;
+        b = c;
+        c = first;
+    }
+    const Point3 middle = 0.5 * (a + b);
+    halves.push_back({{a, middle, c}, piece.triangle});
+    halves.push_back({{middle, b, c}, piece.triangle});
 }
 
 TriangleSoup without_fillings(const TriMesh& mesh, std::size_t first_filled) {
@@ -65,7 +72,7 @@ FarPlaces::FarPlaces(const TriMesh& mesh, std::size_t first_filled, const ReebGr
         for (const SweepSegment& segment : sweep.edges[e].segments) edges_[segment.arc].push_back(e);
 }
 
-//! Distances change no faster than places: all of a piece is near enough if its middle is nearer by its radius. Else it is cut in four.
+//! Distances change no faster than places: all of a piece is near enough if its middle is nearer by its radius. Else it is cut in two.
 std::vector<FarPlaces::Sample> FarPlaces::far_samples(const TriangleSoup& from, const SurfaceDistance& to,
                                                       double distance, double bound) const {
     std::vector<Piece> pieces;
@@ -84,7 +91,7 @@ std::vector<FarPlaces::Sample> FarPlaces::far_samples(const TriangleSoup& from, 
             if (distances[i] > distance)
                 samples.push_back({middles[i], pieces[i].triangle});
             else if (distances[i] + radius > bound && radius > finest_)
-                quarter(pieces[i], next);
+                halve(pieces[i], next);
         }
         pieces = std::move(next);
     }

@@ -61,6 +61,30 @@ TEST(GraphRefinement, tolerance_bounds_the_surface_with_caps_and_saddles) {
     }
 }
 
+//! Turned so that no edge or side is level or upright.
+TriangleSoup askew(TriangleSoup soup) {
+    for (Point3& p : soup.points) p = {p.x + 0.31 * p.z, p.y - 0.23 * p.z, p.z - 0.41 * p.x + 0.37 * p.y};
+    return soup;
+}
+
+TEST(GraphRefinement, tolerance_bounds_surfaces_with_edges_and_holes) {
+    const TriangleSoup terrain =
+        shapes::terrain_solid(8, 3, [](double x, double y) { return std::sin(0.9 * x) * std::cos(1.1 * y); });
+    for (const auto& [name, soup] : std::vector<std::pair<std::string, TriangleSoup>>{
+             {"cube", askew(shapes::cube())},
+             {"tetrahedron", askew(shapes::tetrahedron())},
+             {"prism", askew(shapes::prism(7, 1, 3))},
+             {"plate with two holes", askew(shapes::double_torus())},
+             {"terrain", tilted(terrain)}}) {
+        const auto [low, high] = std::ranges::minmax(soup.points, {}, &Point3::z);
+        const double tolerance = 0.04 * (high.z - low.z);
+        const auto graph = graph_of_mesh(half_edge_mesh(soup), {.levels = 3, .tolerance = tolerance});
+        const TriangleSoup rebuilt = surface_of_graph(graph).soup;
+        EXPECT_LE(hausdorff(soup, rebuilt), tolerance) << name;
+        EXPECT_EQ(self_intersections(rebuilt).count, 0u) << name;
+    }
+}
+
 // Meshes fine enough that their own chords don't show: a distance of second order falls with the square of the levels.
 TEST(GraphRefinement, smooth_shapes_come_nearer_with_the_square_of_the_levels) {
     const auto order = [](const TriangleSoup& soup, std::size_t few, std::size_t many) {
