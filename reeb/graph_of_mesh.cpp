@@ -14,9 +14,7 @@
 #include "boreholes/errors.h"
 #include "mesh/analysis.h"
 #include "mesh/ring_crossings.h"
-#include "reeb/contours_between.h"
 #include "reeb/correspondence.h"
-#include "reeb/cut_crossings.h"
 #include "reeb/far_places.h"
 #include "reeb/filled_boundaries.h"
 #include "reeb/graded_levels.h"
@@ -26,6 +24,7 @@
 #include "reeb/mesh_contours.h"
 #include "reeb/monotone_edge.h"
 #include "reeb/reeb_graph.h"
+#include "reeb/refined_contours.h"
 #include "reeb/surface_of_graph.h"
 #include "reeb/sweep_graph.h"
 
@@ -114,11 +113,6 @@ class GraphOfMesh {
         return fit_at_level_node(rings);
     }
 
-    //! A small part by which it crosses itself is cut off.
-    static bool make_sound(LevelContour& contour) {
-        return is_sound(contour) || (cut_crossings(contour.points, kMostCut) && is_sound(contour));
-    }
-
     [[noreturn]] void refuse_plateau(const SweepNode& node) const {
         const Point3 p = mesh_contours_.place(node.vertex);
         throw InvalidInput(
@@ -172,45 +166,12 @@ class GraphOfMesh {
                         lower.value, upper.value, p.x, p.y));
     }
 
-    //! Between neighbours, half way, until what the homotopy makes there crosses nothing and is near enough; the whole edge once, then
-    //! where that was not enough, so that no place takes the room of others.
     void refine(const SweepEdge& edge, Contours& contours) const {
-        std::vector<bool> is_open(contours.size() - 1, true);  // intervals
-        for (std::size_t round = 0; std::ranges::find(is_open, true) != is_open.end(); ++round) {
-            Contours finer;
-            std::vector<bool> is_open_then;
-            std::size_t room = options_.most_per_arc - std::min(options_.most_per_arc, contours.size());
-            for (std::size_t k = 0; k < is_open.size(); ++k) {
-                finer.push_back(contours[k]);
-                auto middle =
-                    is_open[k] && room > 0 ? needed_between(edge, contours, k, round) : std::nullopt;
-                is_open_then.resize(is_open_then.size() + (middle ? 2 : 1), middle.has_value());
-                if (!middle) continue;
-                --room;
-                finer.push_back(std::move(*middle));
-            }
-            finer.push_back(std::move(contours.back()));
-            contours = std::move(finer);
-            is_open = std::move(is_open_then);
-        }
-    }
-
-    std::optional<LevelContour> needed_between(const SweepEdge& edge, const Contours& contours, std::size_t k,
-                                               std::size_t round) const {
-        const double low = contours[k].z, high = contours[k + 1].z, z = low + kHalf * (high - low);
-        if (!(low < z && z < high)) return std::nullopt;
         const HeightScale scale(lower_node(edge).value, upper_node(edge).value, is_round(edge.lower),
                                 is_round(edge.upper));
-        const bool crosses =
-            round < kCrossingHalvings && crosses_between(contours, k, scale, options_.homotopy);
-        if (!crosses && options_.tolerance <= 0) return std::nullopt;
-        LevelContour middle = mesh_contours_.at(edge, z);
-        if (!make_sound(middle)) return std::nullopt;
-        if (!crosses &&
-            plan_deviation(middle.points, contour_between(contours, k, z, scale, options_.homotopy)) <=
-                options_.tolerance)
-            return std::nullopt;
-        return middle;
+        refine_contours(
+            contours, scale, [&](double z) { return mesh_contours_.at(edge, z); },
+            {.homotopy = options_.homotopy, .tolerance = options_.tolerance, .most = options_.most_per_arc});
     }
 
     void add_contours_at_saddles() {
@@ -395,13 +356,11 @@ class GraphOfMesh {
     static constexpr double kNearEnd = 0.3;  // contours spread beside a node like the root of the height
     static constexpr double kShareOfTolerance =
         0.8;  // what is between, and joining otherwise, may bring places farther off
-    static constexpr double kLeastRise = 1e-12;          // of heights: rounding would make edges fall
-    static constexpr std::ptrdiff_t kFewVertices = 8;    // in a thin slice
-    static constexpr std::size_t kCrossingHalvings = 4;  // of an interval: what crosses then is mended last
+    static constexpr double kLeastRise = 1e-12;        // of heights: rounding would make edges fall
+    static constexpr std::ptrdiff_t kFewVertices = 8;  // in a thin slice
     static constexpr std::size_t kNearRounds = 12;
     static constexpr std::size_t kQuickRounds = 2;
     static constexpr std::size_t kCrossingsLookedAt = 5000;  // pairs of triangles
-    static constexpr double kMostCut = 0.05;                 // of a contour's length
     static constexpr double kLeastGap = 1e-4;                // of an edge's height, between contours
     static constexpr double kNearNode = 1e-6;  // of an edge's height: no contour within is closer to its ends
 

@@ -9,11 +9,13 @@
 #include "mesh/ring_crossings.h"
 #include "reeb/contour_trace.h"
 #include "reeb/correspondence.h"
+#include "reeb/cut_crossings.h"
 
 namespace stratareeb {
 
 namespace {
 
+constexpr double kMostCut = 0.05;     // of a contour's length
 constexpr double kLeastStep = 1e-11;  // of the mesh's size
 
 double twice_area(const std::vector<Point3>& points) {
@@ -81,6 +83,10 @@ bool is_sound(const LevelContour& contour, bool may_touch) {
     std::vector<std::vector<Point2>> ring(1);
     for (const Point3& p : contour.points) ring[0].push_back({p.x, p.y});
     return ring_crossings(ring, {.shared_corners = may_touch, .most = 1}).empty();
+}
+
+bool make_sound(LevelContour& contour) {
+    return is_sound(contour) || (cut_crossings(contour.points, kMostCut) && is_sound(contour));
 }
 
 MeshContours::MeshContours(const TriMesh& mesh, const ScalarField& field, const ReebGraph& graph)

@@ -23,6 +23,8 @@ struct LevelContour {
 //! May it stand in an enhanced Reeb graph: three points at least, an area above 0, without crossing itself?
 //! \param may_touch itself in corners
 bool is_sound(const LevelContour& contour, bool may_touch = false);
+//! A small part by which it crosses itself is cut off. \return whether it is sound then
+bool make_sound(LevelContour& contour);
 
 //! Contours of a mesh over height z, as an enhanced Reeb graph takes them: level, counter-clockwise, without points that
 //! rounding can't tell apart.
