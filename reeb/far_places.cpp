@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reeb/far_places.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 
@@ -23,6 +25,8 @@ struct Piece {
         return std::max({magnitude(corners[0] - m), magnitude(corners[1] - m), magnitude(corners[2] - m)});
     }
 };
+
+enum class Verdict : std::uint8_t { Near, Far, Open };
 
 //! Across the longest side: most triangles are long and low.
 void halve(const Piece& piece, std::vector<Piece>& halves) {
@@ -82,15 +86,20 @@ std::vector<FarPlaces::Sample> FarPlaces::far_samples(const TriangleSoup& from, 
     }
     std::vector<Sample> samples;
     while (!pieces.empty()) {
-        std::vector<Point3> middles;
-        for (const Piece& piece : pieces) middles.push_back(piece.middle());
-        const std::vector<double> distances = to.of(middles);
+        std::vector<Verdict> verdicts(pieces.size());
+        tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
+            const double sure = std::min(bound - pieces[i].radius(), distance);
+            const Point3 middle = pieces[i].middle();
+            if (sure > 0 && to.is_within(middle, sure))
+                verdicts[i] = Verdict::Near;
+            else
+                verdicts[i] = to.is_within(middle, distance) ? Verdict::Open : Verdict::Far;
+        });
         std::vector<Piece> next;
         for (std::size_t i = 0; i < pieces.size(); ++i) {
-            const double radius = pieces[i].radius();
-            if (distances[i] > distance)
-                samples.push_back({middles[i], pieces[i].triangle});
-            else if (distances[i] + radius > bound && radius > finest_)
+            if (verdicts[i] == Verdict::Far)
+                samples.push_back({pieces[i].middle(), pieces[i].triangle});
+            else if (verdicts[i] == Verdict::Open && pieces[i].radius() > finest_)
                 halve(pieces[i], next);
         }
         pieces = std::move(next);
