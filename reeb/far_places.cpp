@@ -12,7 +12,7 @@ namespace stratareeb {
 
 namespace {
 
-constexpr double kFinest = 1.0 / 300;  // of the box's diagonal: what is smaller is not cut further
+constexpr double kFinest = 1.0 / 1000;  // of the box's diagonal: what is smaller is not cut further
 
 //! A triangle, or a part of one.
 struct Piece {

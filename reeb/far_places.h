@@ -26,7 +26,7 @@ class FarPlaces {
     FarPlaces(const TriMesh& mesh, std::size_t first_filled, const ReebGraph& graph, const SweepGraph& sweep);
 
     //! \param distance from which on a place is far
-    //! \param bound above it, that no place is to exceed: the surfaces are asked as closely as that takes, but no closer than a 300th of the mesh's
+    //! \param bound above it, that no place is to exceed: the surfaces are asked as closely as that takes, but no closer than a 1000th of the mesh's
     //! box
     //! \param heights by edge: of its contours, ascending
     std::set<GraphPlace> beyond(double distance, double bound, const ConstructedSurface& surface,
