@@ -13,6 +13,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string_view>
 
 #include "boreholes/errors.h"
 #include "io/cell_value.h"
@@ -108,6 +109,10 @@ std::vector<std::string> layer_columns(OGRLayer& layer, bool has_geometry) {
 
 std::string reference_text(OGRLayer& layer) {
     const OGRSpatialReference* reference = layer.GetSpatialRef();
+    // A GeoPackage's way to say that nothing is known: "Undefined Cartesian SRS", "Undefined geographic SRS".
+    if (reference != nullptr && reference->GetName() != nullptr &&
+        std::string_view(reference->GetName()).starts_with("Undefined "))
+        return {};
     char* text = nullptr;
     std::string wkt;
     if (reference != nullptr && reference->exportToWkt(&text) == OGRERR_NONE && text != nullptr) wkt = text;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <string_view>
 
 #include "boreholes/errors.h"
 #include "io/map_reference.h"
@@ -97,12 +98,20 @@ void fill(OGRFeature& out, const MapFeature& feature, bool is_dxf) {
     }
 }
 
+//! A GeoPackage without a reference system is taken for degrees.
+std::shared_ptr<OGRSpatialReference> plane_reference() {
+    auto result = std::make_shared<OGRSpatialReference>();
+    result->SetLocalCS("Undefined Cartesian SRS");
+    return result;
+}
+
 void write_dataset(const std::filesystem::path& file, const std::vector<MapFeature>& features,
                    const FeatureFileOptions& options, const char* driver_name) {
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(driver_name);
     if (driver == nullptr)
         throw IoError(fmt::format("{}: this GDAL has no driver {}", file.string(), driver_name));
-    const auto crs = map_reference(options.crs);
+    auto crs = map_reference(options.crs);
+    if (!crs && std::string_view(driver_name) == "GPKG") crs = plane_reference();
     Dataset dataset(driver->Create(file.c_str(), 0, 0, 0, GDT_Unknown, nullptr), &GDALClose);
     if (!dataset) fail(file);
     const bool is_dxf = std::string_view(driver_name) == "DXF";

@@ -9,6 +9,7 @@
 
 #include "boreholes/errors.h"
 #include "io/read_mesh.h"
+#include "io/read_table.h"
 #include "io/write_features.h"
 #include "mesh/analysis.h"
 #include "tests/run_program.h"
@@ -173,6 +174,26 @@ TEST(WriteFeatures, keeps_holes_heights_and_the_coordinate_system) {
     EXPECT_THROW(write_features(folder / "b.gpkg", {area}, {.crs = "EPSG:nonsense"}), InvalidInput);
     EXPECT_THROW(write_features(folder / "b.txt", {area}), IoError);
     EXPECT_FALSE(fs::exists(folder / "b.gpkg"));
+}
+
+TEST(WriteFeatures, without_a_coordinate_system_are_in_a_plane_not_in_degrees) {
+    const TemporaryFolder folder;
+    MapFeature line{.kind = MapFeature::Kind::Line,
+                    .parts = {{{0, 0, 1}, {744, 60, 1}}},
+                    .layer = "fence",
+                    .color = "#ff0000",
+                    .attributes = {}};
+    write_features(folder / "a.gpkg", {line}, {.table = "lines", .crs = "", .flat = true});
+    GDALAllRegister();
+    const std::unique_ptr<GDALDataset, decltype(&GDALClose)> file(
+        GDALDataset::Open((folder / "a.gpkg").c_str(), GDAL_OF_VECTOR), &GDALClose);
+    ASSERT_TRUE(file);
+    OGRLayer* layer = file->GetLayerByName("lines");
+    ASSERT_NE(layer, nullptr);
+    EXPECT_EQ(layer->GetFeatureCount(), 1);
+    const OGRSpatialReference* reference = layer->GetSpatialRef();
+    EXPECT_TRUE(reference == nullptr || !reference->IsGeographic());
+    EXPECT_EQ(read_tables((folder / "a.gpkg").string()).at(0).crs, "");  // it states none
 }
 
 }  // namespace
