@@ -89,7 +89,8 @@ std::vector<double> face_areas(const TriMesh& plan) {
 //! Errors nearer to a hole than those known, and farther from all: they change with the root of the distance. 0 at a hole.
 double growth(double gap, const GapProfile& known) {
     if (gap < known.gap.front()) return std::sqrt(gap / known.gap.front());
-    return gap > known.gap.back() ? std::sqrt(gap / known.gap.back()) : 1;
+    const double last = known.gap.back();
+    return gap > last && last > 0 ? std::sqrt(gap / last) : 1;
 }
 
 //! The expected size of an error, by plan vertex.
