@@ -7,12 +7,14 @@
 namespace stratareeb {
 
 namespace {
-constexpr double kSteepestSlope = 0.9;
+constexpr double kLeastSlope = -1, kMostSlopeOfConic = 0.9, kMostSlope = 1.5;
 }  // namespace
 
 // The conic's slope at x = 1 is 1 - c / 2.
 CapProfile CapProfile::conic(double slope) {
-    return CapProfile(HomotopyKind::Cardinal, 2 - 2 * std::clamp(slope, 0.0, kSteepestSlope));
+    const double kept = std::clamp(slope, kLeastSlope, kMostSlope),
+                 of_conic = std::min(kept, kMostSlopeOfConic);
+    return CapProfile(HomotopyKind::Cardinal, 2 - 2 * of_conic, kept - of_conic);
 }
 
 std::optional<CapProfile> CapProfile::of(HomotopyKind kind) {
@@ -20,7 +22,7 @@ std::optional<CapProfile> CapProfile::of(HomotopyKind kind) {
         case HomotopyKind::Linear:
         case HomotopyKind::Parabola:
         case HomotopyKind::Quadrant:
-            return CapProfile(kind, 0);
+            return CapProfile(kind, 0, 0);
         default:
             return std::nullopt;
     }
@@ -35,8 +37,11 @@ double CapProfile::width(double x) const {
             return 1 - t * t;
         case HomotopyKind::Quadrant:
             return std::sqrt(1 - t * t);
-        default:
-            return std::sqrt(c_ * x + (1 - c_) * x * x);
+        default: {
+            // Hermite's cubic in u = sqrt(x): 0 at both ends, level at u = 0, slope 1 over x at u = 1.
+            const double u = std::sqrt(x), bend = 2 * x * (u - 1);
+            return std::sqrt(c_ * x + (1 - c_) * x * x) + flare_ * bend;
+        }
     }
 }
 

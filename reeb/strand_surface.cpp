@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "reeb/cap_profile.h"
+#include "reeb/cap_slopes.h"
 #include "reeb/contour_alignment.h"
 #include "reeb/contour_matching.h"
 #include "reeb/height_scale.h"
@@ -299,20 +300,23 @@ class StrandBuilder {
         const Ring& last = is_top ? rings_.back() : rings_.front();
         const double height = is_top ? heights_.back() : heights_.front();
         const auto own = CapProfile::of(strand_.homotopy.kind);
-        const CapProfile profile = own ? *own : CapProfile::conic(end_slope(targets, node.z, is_top));
-        const Point3 mean = mean_point(last.shape);
+        std::vector<CapProfile> profiles;
+        if (!own)
+            for (const double slope : end_slopes(targets, node.z, is_top))
+                profiles.push_back(CapProfile::conic(slope));
         std::vector<SampledContour> rows;
         for (std::size_t j = steps_ - 1; j > 0; --j) {
             const double root = static_cast<double>(j) / static_cast<double>(steps_), x = root * root;
-            const double width = profile.width(x), z = node.z + x * (height - node.z);
-            const Point3 slide = end.kind == Kind::Tip ? cap_slide(node, mean, x, width, z) : Point3{};
+            const double z = node.z + x * (height - node.z);
             SampledContour row = last.shape;
             for (std::size_t i = 0; i < row.points.size(); ++i) {
                 Point3& p = row.points[i];
                 const Point3& target = targets[i];
-                p = {target.x + width * (p.x - target.x) + slide.x,
-                     target.y + width * (p.y - target.y) + slide.y, z + width * (p.z - height)};
+                const double width = (own ? *own : profiles[i]).width(x);
+                p = {target.x + width * (p.x - target.x), target.y + width * (p.y - target.y),
+                     z + width * (p.z - height)};
             }
+            if (end.kind == Kind::Tip && strand_.lean) lean_over(row, x, z);
             rows.push_back(std::move(row));
         }
         return rows;
@@ -327,31 +331,23 @@ class StrandBuilder {
     }
 
     //! The lean of SlidingHomotopy, between a tip and a contour.
-    Point3 cap_slide(const Point3& tip, const Point3& mean, double x, double width, double z) const {
-        if (!strand_.lean) return {};
-        const Point3 edge = MonotoneEdge(*strand_.lean).at(z) - tip, own = width * (mean - tip);
-        Point3 slide = sliding_weight(x) * (edge - own);
-        slide.z = 0;
-        return slide;
+    void lean_over(SampledContour& row, double x, double z) const {
+        const Point3 own = mean_point(row), edge = MonotoneEdge(*strand_.lean).at(z);
+        const double weight = sliding_weight(x);
+        for (Point3& p : row.points) p = p + Point3{weight * (edge.x - own.x), weight * (edge.y - own.y), 0};
     }
 
-    //! How the contour's width goes on from a cap, d width / d x of CapProfile at x = 1.
-    double end_slope(const std::vector<Point3>& targets, double node_z, bool is_top) const {
+    //! How the contour's width goes on from a cap at each of its points, d width / d x of CapProfile at x = 1.
+    std::vector<double> end_slopes(const std::vector<Point3>& targets, double node_z, bool is_top) const {
         const double height = is_top ? heights_.back() : heights_.front(), rise = std::abs(height - node_z);
-        if (!homotopy_) return single_slope(rise);
+        if (!homotopy_) return std::vector<double>(targets.size(), single_slope(rise));
         constexpr double kStep = 1e-3;
         const std::size_t beside_end = is_top ? homotopy_->intervals() - 1 : 0;
         const SampledContour& contour = homotopy_->contours()[is_top ? beside_end + 1 : 0];
         const double t = is_top ? 1 - kStep : kStep;
-        const auto beside = homotopy_->contour_at(contour.parameters, beside_end, t);
         const double way = std::abs(homotopy_->level(beside_end, t) - height);
-        double growth = 0, square = 0;
-        for (std::size_t i = 0; i < beside.size(); ++i) {
-            const Point3 arm = contour.points[i] - targets[i], move = beside[i] - contour.points[i];
-            growth += arm.x * move.x + arm.y * move.y;
-            square += arm.x * arm.x + arm.y * arm.y;
-        }
-        return square > 0 ? growth / square / way * rise : 0;
+        return cap_slopes(contour.points, targets, homotopy_->contour_at(contour.parameters, beside_end, t),
+                          way / rise);
     }
 
     //! A contour alone between two tips: the ellipsoid through them. Between a tip and a saddle: upright.

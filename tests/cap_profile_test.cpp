@@ -3,23 +3,30 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace stratareeb {
 namespace {
 
 TEST(CapProfile, goes_from_the_point_to_the_contour_with_the_slope_asked_for) {
-    for (const double slope : {0.0, 0.2, 0.5, 0.9}) {
+    for (const double slope : {-1.0, -0.4, 0.0, 0.2, 0.5, 0.9, 1.0, 1.3, 1.5}) {
         const CapProfile cap = CapProfile::conic(slope);
         EXPECT_EQ(cap.width(0), 0);
         EXPECT_DOUBLE_EQ(cap.width(1), 1);
         constexpr double kStep = 1e-7;
         EXPECT_NEAR((cap.width(1) - cap.width(1 - kStep)) / kStep, slope, 1e-5);
         EXPECT_GT(cap.width(1e-8) / 1e-8, 100) << "level at the point";
-        for (double x = 0.1; x < 0.85; x += 0.1) EXPECT_LT(cap.width(x), cap.width(x + 0.1) + 1e-15);
+        double most = 0;
+        for (double x = 0.001; x < 0.9995; x += 0.001) {
+            most = std::max(most, cap.width(x));
+            const double least = slope >= 0 ? cap.width(x) : 0;
+            EXPECT_LT(least, cap.width(x + 0.001) + 1e-15) << slope << " at " << x;
+        }
+        EXPECT_LT(most, slope < 0 ? 1.16 : 1);
     }
-    EXPECT_DOUBLE_EQ(CapProfile::conic(7).width(0.5), CapProfile::conic(0.9).width(0.5));
-    EXPECT_DOUBLE_EQ(CapProfile::conic(-1).width(0.5), CapProfile::conic(0).width(0.5));
+    EXPECT_DOUBLE_EQ(CapProfile::conic(7).width(0.5), CapProfile::conic(1.5).width(0.5));
+    EXPECT_DOUBLE_EQ(CapProfile::conic(-7).width(0.5), CapProfile::conic(-1).width(0.5));
 }
 
 // A sphere of radius 1 cut at height h above its lowest point: width^2 is proportional to z (2 - z).
