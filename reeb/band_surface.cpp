@@ -24,6 +24,13 @@ Ring with_origin(const Ring& ring, double origin) {
 
 namespace {
 
+//! Are those of another ring, of three points or more, among its own, none twice?
+bool has_parameters_of(const Ring& ring, const Ring& other) {
+    const auto &own = ring.shape.parameters, &asked = other.shape.parameters;
+    return asked.size() > 2 && std::ranges::adjacent_find(own) == own.end() &&
+           std::ranges::adjacent_find(asked) == asked.end() && std::ranges::includes(own, asked);
+}
+
 //! Triangles between two rings, by vertices, facing outward.
 std::vector<std::array<std::uint32_t, 3>> band_between(const Ring& lower, const Ring& upper, bool exact) {
     BandOptions options;
@@ -59,8 +66,8 @@ void BandSurface::add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c
 }
 
 void BandSurface::add_band(const Ring& lower, const Ring& upper, bool is_hole) {
-    if (lower.vertices.size() > 2 && lower.shape.parameters == upper.shape.parameters)
-        return join_equal_parameters(lower, upper, is_hole);
+    if (has_parameters_of(upper, lower)) return join_by_parameters(lower, upper, is_hole);
+    if (has_parameters_of(lower, upper)) return join_by_parameters(upper, lower, !is_hole);
     const std::size_t spans = upper.vertices.size() * lower.vertices.size();
     const bool exact = triangulation_ == BandTriangulation::Exact ||
                        (triangulation_ == BandTriangulation::Automatic && spans <= kQuickSpans);
@@ -77,21 +84,36 @@ bool BandSurface::add_sound_band(const Ring& lower, const Ring& upper, bool is_h
     return true;
 }
 
-void BandSurface::join_equal_parameters(const Ring& lower, const Ring& upper, bool is_hole) {
-    const std::size_t n = lower.vertices.size();
+void BandSurface::join_by_parameters(const Ring& few, const Ring& many, bool turned) {
+    const std::size_t n = few.vertices.size(), m = many.vertices.size();
+    const auto& s = many.shape.parameters;
+    std::size_t at = static_cast<std::size_t>(std::ranges::find(s, few.shape.parameters.front()) - s.begin());
     for (std::size_t i = 0; i < n; ++i) {
-        const std::size_t k = (i + 1) % n;
-        const auto a = lower.vertices[i], b = lower.vertices[k], c = upper.vertices[k], d = upper.vertices[i];
-        const double forward = magnitude(soup_.points[c] - soup_.points[a]),
-                     backward = magnitude(soup_.points[d] - soup_.points[b]);
-        if (forward <= backward) {
-            add_triangle(a, b, c, is_hole);
-            add_triangle(a, c, d, is_hole);
-        } else {
-            add_triangle(a, b, d, is_hole);
-            add_triangle(b, c, d, is_hole);
-        }
+        const std::size_t next = (i + 1) % n;
+        std::vector<std::uint32_t> side{many.vertices[at]};
+        do {
+            at = (at + 1) % m;
+            side.push_back(many.vertices[at]);
+        } while (s[at] != few.shape.parameters[next]);
+        add_side(few.vertices[i], few.vertices[next], side, turned);
     }
+}
+
+//! Triangles between the side from a to b and the vertices beside it, those for a first.
+void BandSurface::add_side(std::uint32_t a, std::uint32_t b, const std::vector<std::uint32_t>& side,
+                           bool turned) {
+    const auto way = [&](std::uint32_t v, std::uint32_t w) {
+        return magnitude(soup_.points[w] - soup_.points[v]);
+    };
+    std::size_t last = way(a, side.back()) <= way(b, side.front()) ? 1 : 0;  // that a is joined to
+    if (side.size() > 2) {
+        last = 1;
+        for (std::size_t k = 2; k + 1 < side.size(); ++k)
+            if (way(a, side[k]) + way(b, side[k]) < way(a, side[last]) + way(b, side[last])) last = k;
+    }
+    for (std::size_t k = 0; k < last; ++k) add_triangle(a, side[k + 1], side[k], turned);
+    add_triangle(a, b, side[last], turned);
+    for (std::size_t k = last; k + 1 < side.size(); ++k) add_triangle(b, side[k + 1], side[k], turned);
 }
 
 void BandSurface::add_sheet(const PlanSheet& sheet, std::vector<std::uint32_t> vertices,

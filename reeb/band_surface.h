@@ -62,8 +62,8 @@ class BandSurface {
     }
     //! What is added from now on belongs to this part.
     void begin_part(std::uint32_t part) { part_ = part; }
-    //! Triangles between two rings, both counter-clockwise seen from above, facing outward, or inward around a hole. Rings with
-    //! equal parameters are joined parameter by parameter.
+    //! Triangles between two rings, both counter-clockwise seen from above, facing outward, or inward around a hole. Where one
+    //! has all parameters of the other they are joined parameter by parameter.
     void add_band(const Ring& lower, const Ring& upper, bool is_hole);
     //! The same by least area, unless that joins a vertex that is on one ring twice to the same vertex of the other: then nothing.
     bool add_sound_band(const Ring& lower, const Ring& upper, bool is_hole);
@@ -83,7 +83,8 @@ class BandSurface {
         free_.freedom.resize(size, Freedom::None);
         free_.group.resize(size, FreeVertices::kNoGroup);
     }
-    void join_equal_parameters(const Ring& lower, const Ring& upper, bool is_hole);
+    void join_by_parameters(const Ring& few, const Ring& many, bool turned);
+    void add_side(std::uint32_t a, std::uint32_t b, const std::vector<std::uint32_t>& side, bool turned);
 
     BandTriangulation triangulation_;
     TriangleSoup soup_;

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "boreholes/errors.h"
+#include "reeb/joint_parameters.h"
 #include "reeb/point_math.h"
 
 namespace stratareeb {
@@ -110,12 +112,13 @@ std::vector<SampledContour> ContourHomotopy::contours_at(std::span<const double>
     return result;
 }
 
-const std::vector<double>& ContourHomotopy::parameters_near(std::size_t interval, double t) const {
-    const auto &low = contours_[interval].parameters, &high = contours_[interval + 1].parameters;
-    const bool inside = t > 0 && t < 1;
-    if (inside && low.size() == 1) return high;
-    if (inside && high.size() == 1) return low;
-    return t < 0.5 ? low : high;
+std::vector<double> ContourHomotopy::parameters_near(std::size_t interval, double t) const {
+    const SampledContour &low = contours_[interval], &high = contours_[interval + 1];
+    if (t <= 0) return low.parameters;
+    if (t >= 1) return high.parameters;
+    if (low.points.size() == 1) return high.parameters;
+    if (high.points.size() == 1) return low.parameters;
+    return t < 0.5 ? joint_parameters(low, high) : joint_parameters(high, low);
 }
 
 SampledContour ContourHomotopy::contour(std::size_t interval, double t) const {
@@ -123,17 +126,17 @@ SampledContour ContourHomotopy::contour(std::size_t interval, double t) const {
 }
 
 std::vector<SampledContour> ContourHomotopy::contours_between(std::size_t interval, std::size_t steps) const {
-    std::vector<SampledContour> result;
-    std::vector<double> shares;
+    std::vector<double> low, high;  // shares of the interval
     for (std::size_t i = 1; i < steps; ++i) {
-        shares.push_back(static_cast<double>(i) / static_cast<double>(steps));
-        const auto& parameters = parameters_near(interval, shares.back());
-        const bool last_of_kind =
-            i + 1 == steps || &parameters != &parameters_near(interval, static_cast<double>(i + 1) /
-                                                                            static_cast<double>(steps));
-        if (!last_of_kind) continue;
-        for (auto& contour : contours_at(parameters, interval, shares)) result.push_back(std::move(contour));
-        shares.clear();
+        const double t = static_cast<double>(i) / static_cast<double>(steps);
+        (t < 0.5 ? low : high).push_back(t);
+    }
+    std::vector<SampledContour> result;
+    for (const auto& shares : {low, high}) {
+        if (shares.empty()) continue;
+        auto rows = contours_at(parameters_near(interval, shares.front()), interval, shares);
+        result.insert(result.end(), std::make_move_iterator(rows.begin()),
+                      std::make_move_iterator(rows.end()));
     }
     return result;
 }

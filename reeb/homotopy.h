@@ -39,7 +39,8 @@ class ContourHomotopy {
     Point3 at(double s, std::size_t interval, double t) const;
     //! H at many parameters: a whole contour.
     std::vector<Point3> contour_at(std::span<const double> s, std::size_t interval, double t) const;
-    //! The contour at t with the parameters of the given contour nearer to it (of the other one if that is a point).
+    //! The contour at t with the parameters of the given contour nearer to it and those where the other one has corners (joint_parameters),
+    //! or of one of them if the other is a point.
     SampledContour contour(std::size_t interval, double t) const;
     //! The steps - 1 contours at t = 1/steps, 2/steps, ... strictly inside an interval.
     std::vector<SampledContour> contours_between(std::size_t interval, std::size_t steps) const;
@@ -54,7 +55,7 @@ class ContourHomotopy {
                               std::span<const std::vector<Point3>> given) const;
     std::vector<SampledContour> contours_at(std::span<const double> s, std::size_t interval,
                                             std::span<const double> t) const;
-    const std::vector<double>& parameters_near(std::size_t interval, double t) const;
+    std::vector<double> parameters_near(std::size_t interval, double t) const;
 
     std::vector<SampledContour> contours_;
     std::vector<double> levels_;

@@ -46,6 +46,8 @@ class SaddleBuilder {
     void run(const NodeSide& given, const NodeSide& across) {
         const Point3& critical = node_.place;
         const bool through = is_given(given);
+        if (!through) shorten_sides(given);
+        shorten_sides(across);
         std::vector<std::vector<TouchedPlace>> places;
         for (const std::uint32_t e : given.edges)
             places.push_back(
@@ -66,6 +68,15 @@ class SaddleBuilder {
     }
 
  private:
+    //! Corners alone are too few to bend towards the critical point.
+    void shorten_sides(const NodeSide& side) {
+        for (const std::uint32_t e : side.edges) {
+            SampledContour& contour = end_contour(strands_, side, e);
+            contour =
+                with_short_sides(contour, perimeter(contour.points) / static_cast<double>(options_.samples));
+        }
+    }
+
     std::vector<std::vector<TouchedPlace>> gaps_between(const NodeSide& side, double height) {
         std::vector<SampledContour> contours;
         for (const std::uint32_t e : side.edges) contours.push_back(end_contour(strands_, side, e));

@@ -93,6 +93,33 @@ SampledContour with_origin(const SampledContour& contour, double origin) {
     return result;
 }
 
+SampledContour with_short_sides(const SampledContour& contour, double most) {
+    SampledContour result;
+    const std::size_t n = contour.points.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t next = (i + 1) % n;
+        const Point3 &a = contour.points[i], &b = contour.points[next];
+        const double s = contour.parameters[i], length = magnitude(b - a);
+        double rest = contour.parameters[next] - s;
+        if (next == 0) rest += 1;
+        const auto parts =
+            length > most && rest > 0 ? static_cast<std::size_t>(std::ceil(length / most)) : std::size_t{1};
+        result.points.push_back(a);
+        result.parameters.push_back(s);
+        for (std::size_t k = 1; k < parts; ++k) {
+            const double share = static_cast<double>(k) / static_cast<double>(parts), at = s + share * rest;
+            result.points.push_back(a + share * (b - a));
+            result.parameters.push_back(at);
+        }
+    }
+    const auto beyond = std::ranges::find_if(result.parameters, [](double s) { return s >= 1; });
+    const auto shift = beyond - result.parameters.begin();
+    for (auto at = beyond; at != result.parameters.end(); ++at) *at -= 1;
+    std::ranges::rotate(result.parameters, result.parameters.begin() + shift);
+    std::ranges::rotate(result.points, result.points.begin() + shift);
+    return result;
+}
+
 Point3 mean_point(const SampledContour& contour) {
     const std::size_t size = contour.points.size();
     const Point3& start = contour.points[0];  // sums of differences: nothing lost far from the origin

@@ -32,6 +32,9 @@ Point3 point_at(const SampledContour& contour, double s);
 //! The thesis prints 1 - u + U for parameters u below the new origin U; what keeps them in order along the contour is 1 + u - U.
 SampledContour with_origin(const SampledContour& contour, double origin);
 
+//! The same contour, sides longer than `most` in even parts.
+SampledContour with_short_sides(const SampledContour& contour, double most);
+
 //! The mean over s in [0, 1]: with parameters by perimeter, the centre of the line (not of the area it encloses).
 Point3 mean_point(const SampledContour& contour);
 

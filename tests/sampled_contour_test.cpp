@@ -68,6 +68,22 @@ TEST(SampledContour, mean_point_is_the_limit_of_many_samples) {
     EXPECT_EQ(mean_point(contour_by_perimeter({{5e6, 4e6, 7}})), (Point3{5e6, 4e6, 7}));
 }
 
+TEST(SampledContour, short_sides_are_the_same_contour) {
+    const auto shape =
+        with_origin(contour_by_perimeter({{0, 0, 0}, {4, 0, 0}, {4, 2, 1}, {1, 2, 0}, {0, 1.9, 0}}), 0.13);
+    const auto fine = with_short_sides(shape, 0.3);
+    EXPECT_NO_THROW(check_contour(fine));
+    for (std::size_t i = 0; i < shape.points.size(); ++i)
+        EXPECT_EQ(point_at(fine, shape.parameters[i]), shape.points[i]);
+    for (std::size_t i = 0; i < fine.points.size(); ++i) {
+        EXPECT_LE(magnitude(fine.points[(i + 1) % fine.points.size()] - fine.points[i]), 0.3 + 1e-12);
+        EXPECT_LT(magnitude(fine.points[i] - point_at(shape, fine.parameters[i])), 1e-12);
+    }
+    EXPECT_EQ(with_short_sides(shape, 100).points, shape.points);
+    const SampledContour point{.points = {{1, 2, 3}}, .parameters = {0}};
+    EXPECT_EQ(with_short_sides(point, 0).points, point.points);
+}
+
 TEST(SampledContour, repeated_points_and_contours_without_length_do_no_harm) {
     const auto doubled =
         contour_by_perimeter({{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}});
