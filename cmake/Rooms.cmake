@@ -11,6 +11,13 @@ if(STRATAREEB_SANITIZE)
     add_link_options(-fsanitize=address,undefined)
 endif()
 
+# For each executable.
+function(stratareeb_executable name)
+    if(STRATAREEB_SANITIZE)
+        target_sources(${name} PRIVATE "${PROJECT_SOURCE_DIR}/cmake/library_leaks.cpp")
+    endif()
+endfunction()
+
 function(stratareeb_room name)
     file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${name}/*.cpp")
     file(GLOB headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${name}/*.h")
@@ -35,6 +42,7 @@ function(stratareeb_program)
     target_link_libraries(stratareeb_apps PUBLIC stratareeb_io CLI11::CLI11 nlohmann_json::nlohmann_json fmt::fmt
                           PRIVATE stratareeb_options)
     add_executable(stratareeb "${PROJECT_SOURCE_DIR}/apps/main.cpp")
+    stratareeb_executable(stratareeb)
     target_link_libraries(stratareeb PRIVATE stratareeb_apps stratareeb_options)
     target_compile_definitions(stratareeb PRIVATE STRATAREEB_VERSION="${PROJECT_VERSION}")
     set_target_properties(stratareeb PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}")

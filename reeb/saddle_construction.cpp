@@ -123,10 +123,14 @@ class SaddleBuilder {
         strand_end.kind = through ? Kind::Through : Kind::Approach;
         strand_end.approach.clear();
         if (!through) {
-            for (std::size_t k = 1; k < options_.steps; ++k)
+            double gap = 0;
+            for (const auto& [parameter, place] : places)
+                gap = std::max(gap, magnitude(place - point_at(shape, parameter)));
+            const std::size_t steps =
+                bands_across(gap, point_spacing(shape.points), options_.steps, 1, options_.steps);
+            for (std::size_t k = 1; k < steps; ++k)
                 strand_end.approach.push_back(approach_places(
-                    shape, places, static_cast<double>(k) / static_cast<double>(options_.steps),
-                    options_.reach));
+                    shape, places, static_cast<double>(k) / static_cast<double>(steps), options_.reach));
             shape = approach_places(shape, places, 1, options_.reach);
         }
         Ring ring{shape, {}};

@@ -12,6 +12,8 @@
 namespace stratareeb {
 namespace {
 
+constexpr std::size_t kFewPoints = 96;
+
 const double kBelowOne = std::nextafter(1.0, 0.0);
 
 double modulo_one(double s) {
@@ -136,6 +138,16 @@ std::vector<double> even_parameters(std::size_t n) {
     std::vector<double> result(n);
     for (std::size_t i = 0; i < n; ++i) result[i] = static_cast<double>(i) / static_cast<double>(n);
     return result;
+}
+
+double point_spacing(std::span<const Point3> contour) {
+    return perimeter(contour) / static_cast<double>(std::max(contour.size(), kFewPoints));
+}
+
+std::size_t bands_across(double gap, double spacing, std::size_t steps, std::size_t least, std::size_t most) {
+    const double lowest = kLowestBand / static_cast<double>(steps) * spacing;
+    if (!(gap < lowest * static_cast<double>(most))) return std::max(least, most);
+    return std::max(least, static_cast<std::size_t>(std::ceil(gap / lowest)));
 }
 
 }  // namespace stratareeb

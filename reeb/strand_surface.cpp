@@ -22,7 +22,9 @@ const std::vector<SampledContour> kNoRows;
 
 constexpr double kNotLonger = 0.25;  // of the mean interval, that one may be longer without more bands
 constexpr double kMostSteps = 8;     // times the bands of other intervals
-constexpr double kSteepest = 2;      // rise over run of terrain, 63 degrees
+constexpr std::size_t kLeastAtSaddle =
+    3;                           // bands: neighbours with a ring's own parameters keep its equal points apart
+constexpr double kSteepest = 2;  // rise over run of terrain, 63 degrees
 
 //! The ring matched to a contour, with its vertices.
 Ring matched_ring(const SampledContour& below, const Ring& ring, Matching matching) {
@@ -178,7 +180,9 @@ class StrandBuilder {
     //! goes on from there to the critical point, not to the ring's centre, so nothing leans along it.
     void add_between(std::size_t k) {
         const bool at_saddle = is_bouquet(k) || is_bouquet(k + 1);
-        const std::size_t steps = at_saddle ? std::max<std::size_t>(steps_, 3) : steps_in(interval(k));
+        const std::size_t steps =
+            bands_across(gap_above(k), spacing_above(k), steps_, at_saddle ? kLeastAtSaddle : 1,
+                         at_saddle ? steps_ : steps_in(interval(k)));
         const bool is_gentle = strand_.is_terrain && !at_saddle && is_gentle_between(k);
         if ((join_ == Join::Sheet || (!join_ && is_gentle)) &&
             add_sheet({{&rings_[k], true}, {&rings_[k + 1], false}}, std::nullopt, group_))
@@ -203,6 +207,18 @@ class StrandBuilder {
             below = std::move(ring);
         }
         surface_.add_band(below, rings_[k + 1], strand_.is_hole);
+    }
+
+    //! The mean distance from a ring to the next.
+    double gap_above(std::size_t k) const {
+        const SampledContour &low = rings_[k].shape, &high = rings_[k + 1].shape;
+        const auto across = points_at(high, low.parameters);
+        double sum = 0;
+        for (std::size_t i = 0; i < across.size(); ++i) sum += magnitude(across[i] - low.points[i]);
+        return sum / static_cast<double>(across.size());
+    }
+    double spacing_above(std::size_t k) const {
+        return std::min(point_spacing(rings_[k].shape.points), point_spacing(rings_[k + 1].shape.points));
     }
 
     //! Is the way from ring to ring, in the mean, not steeper than terrain is?

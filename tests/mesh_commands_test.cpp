@@ -7,7 +7,6 @@
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
 #include "mesh/analysis.h"
-#include "tests/lib3mf_leaks.h"
 #include "tests/run_program.h"
 #include "tests/shapes.h"
 

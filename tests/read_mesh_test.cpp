@@ -10,7 +10,6 @@
 #include "boreholes/errors.h"
 #include "io/write_mesh.h"
 #include "mesh/analysis.h"
-#include "tests/lib3mf_leaks.h"
 #include "tests/shapes.h"
 #include "tests/temporary_folder.h"
 

@@ -84,6 +84,19 @@ TEST(SampledContour, short_sides_are_the_same_contour) {
     EXPECT_EQ(with_short_sides(point, 0).points, point.points);
 }
 
+TEST(SampledContour, bands_are_as_many_as_asked_for_but_not_lower_than_what_shows) {
+    const SampledContour square = contour_by_perimeter({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+    EXPECT_DOUBLE_EQ(point_spacing(square.points), 4 / 96.0);
+    const auto fine = with_short_sides(square, 0.01);
+    EXPECT_NEAR(point_spacing(fine.points), 0.01, 1e-12);
+    EXPECT_EQ(bands_across(1, 0.01, 6, 1, 6), 6u);
+    EXPECT_EQ(bands_across(0.03, 0.01, 6, 1, 6), 6u);
+    EXPECT_EQ(bands_across(0.0149, 0.01, 6, 1, 6), 3u);
+    EXPECT_EQ(bands_across(0.0149, 0.01, 12, 1, 12), 6u);  // finer steps, finer bands
+    EXPECT_EQ(bands_across(0, 0.01, 6, 3, 6), 3u);
+    EXPECT_EQ(bands_across(0, 0, 6, 1, 6), 6u);
+}
+
 TEST(SampledContour, repeated_points_and_contours_without_length_do_no_harm) {
     const auto doubled =
         contour_by_perimeter({{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}});

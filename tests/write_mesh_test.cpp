@@ -12,7 +12,6 @@
 #include "io/write_meshlab_project.h"
 #include "mesh/analysis.h"
 #include "mesh/normals.h"
-#include "tests/lib3mf_leaks.h"
 #include "tests/shapes.h"
 #include "tests/temporary_folder.h"
 
