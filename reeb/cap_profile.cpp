@@ -7,7 +7,7 @@
 namespace stratareeb {
 
 namespace {
-constexpr double kLeastSlope = -1, kMostSlopeOfConic = 0.9, kMostSlope = 1.5;
+constexpr double kLeastSlope = -1, kMostSlopeOfConic = 0.9, kMostSlope = 1.8;
 }  // namespace
 
 // The conic's slope at x = 1 is 1 - c / 2.

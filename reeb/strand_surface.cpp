@@ -319,7 +319,7 @@ class StrandBuilder {
         std::vector<CapProfile> profiles;
         if (!own)
             for (const double slope : end_slopes(targets, node.z, is_top))
-                profiles.push_back(CapProfile::conic(slope));
+                profiles.push_back(CapProfile::conic(end.is_outline ? std::max(slope, 0.0) : slope));
         std::vector<SampledContour> rows;
         for (std::size_t j = steps_ - 1; j > 0; --j) {
             const double root = static_cast<double>(j) / static_cast<double>(steps_), x = root * root;

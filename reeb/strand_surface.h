@@ -39,6 +39,8 @@ struct StrandEnd {
     std::vector<SampledContour>
         approach{};  // from the last contour to the node, the ring's own shape left out
     std::optional<Ring> ring{};
+    bool is_outline =
+        false;  // the last contour is a polygon, as of something measured: its cap keeps within it
 };
 
 //! A family of contours from one node up to another.

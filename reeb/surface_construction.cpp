@@ -62,6 +62,11 @@ class Construction {
                                 .is_hole = is_hole[e],
                                 .bottom = {.node = graph.nodes[edge.from].position, .group = edge.from},
                                 .top = {.node = graph.nodes[edge.to].position, .group = edge.to}});
+            const auto is_polygon = [&](std::uint32_t contour) {
+                return graph.contours[contour].curve.kind == CurveKind::Polyline;
+            };
+            strands_.back().bottom.is_outline = is_polygon(edge.contours.front());
+            strands_.back().top.is_outline = is_polygon(edge.contours.back());
             strands_.back().is_terrain = options.terrain && edge.curve.points.empty();
             if (!edge.curve.points.empty() && edge.homotopy.pace == HomotopyPace::Even)
                 strands_.back().lean = curve_of(graph, edge);
