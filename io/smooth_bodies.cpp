@@ -163,7 +163,8 @@ class Maker {
 
     std::string fault_of(const SmoothBrep::BodyQuality& quality) const {
         if (!(quality.least_thickness > 0)) return "its smooth top and base would cross";
-        if (!(quality.off <= most_off_)) return fmt::format("smooth faces would be {:.3g} off", quality.off);
+        if (!(quality.usual_off <= most_off_))
+            return fmt::format("smooth faces would be {:.3g} off", quality.usual_off);
         if (!(quality.edge_off <= options_.most_edge_off * brep_.size))
             return fmt::format("smooth faces would meet only to {:.3g}", quality.edge_off);
         return {};

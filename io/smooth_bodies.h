@@ -15,7 +15,8 @@ struct SmoothBodiesOptions {
     SmoothBrepOptions fit;
     double volume_tolerance = 2e-3;  // share by which a body's volume may differ from its triangles'
     double most_edge_off = 1e-3;     // share of the size by which faces may miss the edge that they meet in
-    double most_off = 1e-2;          // share of the size that a face may be off the model's vertices
+    double most_off =
+        1e-2;  // share of the size that a face may be off the model's vertices, but for a thousandth
     double most_of_relief = 0.15;  // share of the range of the model's elevations that it may be off at most
     double facet_error = 1e-3;     // share of the size that facets may be off, where a body has some
     double worth_telling = 0.5;    // share of what a face may be off, from which on a note says so

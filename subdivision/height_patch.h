@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -29,11 +30,16 @@ struct HeightSample {
     double highest = std::numeric_limits<double>::infinity();  // the patch is to stay below; >= z
 };
 
+//! What coefficients of a patch may be at most for the knots that a fit came to, [function of x][function of y]; infinity =
+//! anything.
+using LimitMaker = std::function<std::vector<double>(const CubicKnots& x, const CubicKnots& y)>;
+
 struct HeightFitOptions {
     double finest = 0;  // spans shorter than this are not halved
     //! Spans to begin with, over all samples and more; those beyond the samples are left out.
     CubicKnots x{{0, 1}}, y{{0, 1}};
     std::size_t most_functions = 40'000;
+    LimitMaker limits;  // none if empty: samples' highest count with them only
 };
 
 struct HeightFit {
@@ -41,9 +47,15 @@ struct HeightFit {
     double off_inside = 0, off_border = 0;  // largest distance at samples
 };
 
+struct PlanBox {
+    double x0, x1, y0, y1;
+};
+
 struct HeightSamples {
     std::vector<HeightSample> inside;  // to be met
     std::vector<HeightSample> border;  // to be met most closely
+    //! That cover the place the patch is for; elsewhere it is to be as straight as it can. Empty = everywhere.
+    std::vector<PlanBox> covered;
 };
 
 //! Fit a patch to samples: least squares with just as much bending energy as decides where there are no samples
@@ -53,6 +65,7 @@ struct HeightSamples {
 HeightFit fit_height_patch(const HeightSamples& samples, const HeightFitOptions& options);
 
 //! The same with the spans of a patch as they are.
-HeightPatch refit_height_patch(const HeightSamples& samples, const HeightPatch& patch);
+HeightPatch refit_height_patch(const HeightSamples& samples, const HeightPatch& patch,
+                               const LimitMaker& limits = {});
 
 }  // namespace stratareeb

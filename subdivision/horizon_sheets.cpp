@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <map>
+
+#include "subdivision/thickness_limits.h"
 
 namespace stratareeb {
 namespace {
@@ -29,7 +32,9 @@ constexpr double kRimShare = 0.05;   // of its area: what a sample between verti
 constexpr double kFinestSpan = 0.5;  // of a mean edge of the plan's triangles: shorter spans are not halved
 constexpr double kTrustedShare =
     0.02;  // where the sheets above are off by more than that share of the thickness, so is the base
-constexpr double kLeastShare = 0.2;  // of the thickness at a place, that a body keeps there
+constexpr double kUnusualShare = 1e-3;  // of the plan area
+constexpr double kLeastShare = 0.2;     // of the thickness around a place, that a body keeps there
+constexpr double kHighestShare = 0.1;   // of the thickness at a sample: less brings limits nearer
 
 class Fitter {
  public:
@@ -48,6 +53,7 @@ class Fitter {
         const std::size_t sheets = cells_.bodies.size() + 1;
         result_.sheets.assign(sheets, {CubicKnots({0, 1}), CubicKnots({0, 1}), {}});
         result_.off.assign(sheets, 0);
+        result_.usual_off.assign(sheets, 0);
         result_.least_thickness.assign(cells_.bodies.size(), INFINITY);
         is_hole_.assign(plan_.n_vertices(), 0);
         for (const auto v : model_.plan.hole_vertex)
@@ -84,6 +90,16 @@ class Fitter {
         return {(p.x + q.x + r.x) / 3, (p.y + q.y + r.y) / 3};
     }
 
+    PlanBox box(std::uint32_t face) const {
+        PlanBox box{INFINITY, -INFINITY, INFINITY, -INFINITY};
+        for (const auto v : corners(face)) {
+            const Point2 p = point(v);
+            box = {std::min(box.x0, p.x), std::max(box.x1, p.x), std::min(box.y0, p.y),
+                   std::max(box.y1, p.y)};
+        }
+        return box;
+    }
+
     double area(std::uint32_t face) const { return plan_.calc_face_area(plan_.face_handle(face)); }
 
     // Edges along which a body ends: its base meets a sheet further up there.
@@ -115,6 +131,7 @@ class Fitter {
         const double tolerance = options_.tolerance * size_;
         for (const auto f : faces) {
             const Corners c = corners(f);
+            samples.covered.push_back(box(f));
             for (const auto v : c) share[v] += area(f) / 6;
             samples.inside.push_back(
                 {centre(c), (ground[c[0]] + ground[c[1]] + ground[c[2]]) / 3, area(f) / 2, tolerance});
@@ -124,28 +141,81 @@ class Fitter {
                 samples.inside.push_back(
                     {point(v), ground[v], share[v], (is_hole_[v] ? kHoleTolerance : 1) * tolerance});
         fit_sheet(0, samples, faces, {}, kGroundShare);
-        for (std::uint32_t v = 0; v < share.size(); ++v)
-            if (share[v] > 0)
-                result_.off[0] =
-                    std::max(result_.off[0], std::abs(result_.sheets[0].z(point(v)) - ground[v]));
+        measure_off(0, ground, share);
+    }
+
+    //! \param share [vertex] of the plan's area
+    void measure_off(std::uint32_t sheet, const std::vector<double>& horizon,
+                     const std::vector<double>& share) {
+        std::vector<std::pair<double, double>> off;  // with the area
+        double all = 0;
+        for (std::uint32_t v = 0; v < share.size(); ++v) {
+            if (!(share[v] > 0)) continue;
+            off.emplace_back(std::abs(result_.sheets[sheet].z(point(v)) - horizon[v]), share[v]);
+            all += share[v];
+        }
+        std::ranges::sort(off, std::greater{});
+        result_.off[sheet] = off.front().first;
+        double further = 0;
+        for (const auto& [distance, area] : off) {
+            result_.usual_off[sheet] = distance;
+            if ((further += area) > kUnusualShare * all) break;
+        }
+    }
+
+    // A sheet above a body, and what of the body lies under it.
+    struct Top {
+        std::uint32_t sheet;
+        double share = 0;  // of the plan area
+        double x0 = INFINITY, x1 = -INFINITY, y0 = INFINITY, y1 = -INFINITY;
+    };
+
+    // Those over most of the body first.
+    std::vector<Top> tops_of(const PlanCells::Body& body, double body_area) const {
+        std::map<std::uint32_t, Top> by_sheet;
+        for (const auto c : body.top) {
+            Top& top = by_sheet.try_emplace(result_.of_cell[c], Top{result_.of_cell[c]}).first->second;
+            for (const auto f : cells_.cells[c].faces) {
+                top.share += area(f) / body_area;
+                for (const auto v : corners(f)) {
+                    const Point2 p = point(v);
+                    top.x0 = std::min(top.x0, p.x), top.x1 = std::max(top.x1, p.x);
+                    top.y0 = std::min(top.y0, p.y), top.y1 = std::max(top.y1, p.y);
+                }
+            }
+        }
+        std::vector<Top> tops;
+        for (const auto& [sheet, top] : by_sheet) tops.push_back(top);
+        std::ranges::stable_sort(tops, std::greater{}, &Top::share);
+        return tops;
+    }
+
+    // The spans of knots that an interval reaches into.
+    static CubicKnots part_of(const CubicKnots& knots, double low, double high) {
+        const auto breaks = knots.breaks().begin();
+        return CubicKnots({breaks + static_cast<std::ptrdiff_t>(knots.span(low)),
+                           breaks + static_cast<std::ptrdiff_t>(knots.span(high)) + 2});
     }
 
     // Spans of the sheets above are kept, so that the base of a thin layer can follow its top in all detail: all are
     // halves of halves of the same.
-    //! \param above sheets by the share of the body's plan area that they lie over
     void fit_sheet(std::uint32_t s, const HeightSamples& samples, const std::vector<std::uint32_t>& faces,
-                   const std::map<std::uint32_t, double>& above, double share) {
-        CubicKnots x = first_x_, y = first_y_;
-        for (const auto& [a, part] : above) {
-            if (part < kMuchOfTop) continue;
-            x = joined(x, result_.sheets[a].x);
-            y = joined(y, result_.sheets[a].y);
-        }
+                   const std::vector<Top>& tops, double share, const LimitMaker& limits = {}) {
         const auto most =
             std::min(static_cast<std::size_t>(share * static_cast<double>(options_.most_functions)),
                      std::max(kFewFunctions, samples.inside.size()));
+        CubicKnots x = first_x_, y = first_y_;
+        for (const auto& top : tops) {
+            const HeightPatch& sheet = result_.sheets[top.sheet];
+            const CubicKnots more_x = joined(x, part_of(sheet.x, top.x0, top.x1)),
+                             more_y = joined(y, part_of(sheet.y, top.y0, top.y1));
+            if (top.share < kMuchOfTop && more_x.functions() * more_y.functions() > most) continue;
+            x = more_x;
+            y = more_y;
+        }
         result_.sheets[s] =
-            fit_height_patch(samples, {.finest = finest(faces), .x = x, .y = y, .most_functions = most})
+            fit_height_patch(
+                samples, {.finest = finest(faces), .x = x, .y = y, .most_functions = most, .limits = limits})
                 .patch;
     }
 
@@ -188,11 +258,19 @@ class Fitter {
         const auto& body = cells_.bodies[b];
         const auto here = look_up(body);
         BaseSamples base = base_samples(b, here);
-        std::map<std::uint32_t, double> above;
+        std::vector<ThicknessSample> thicknesses;
         for (const auto c : body.top)
-            for (const auto f : cells_.cells[c].faces) above[result_.of_cell[c]] += area(f) / base.area;
-        fit_sheet(b + 1, base.samples, body.faces, above,
-                  std::lerp(kGroundShare, 1, (body.layer + 1.0) / static_cast<double>(model_.units.size())));
+            for (const auto f : cells_.cells[c].faces) {
+                double thick = 0;
+                for (const auto v : corners(f)) thick += thickness(body, v) / 3;
+                thicknesses.push_back({f, thick, &result_.sheets[result_.of_cell[c]]});
+            }
+        const LimitMaker limits = [&](const CubicKnots& x, const CubicKnots& y) {
+            return limits_below_top(x, y, plan_, thicknesses, base.samples.border, kLeastShare);
+        };
+        fit_sheet(b + 1, base.samples, body.faces, tops_of(body, base.area),
+                  std::lerp(kGroundShare, 1, (body.layer + 1.0) / static_cast<double>(model_.units.size())),
+                  limits);
         const double wanted =
             base.volume * (options_.volume_factors.empty() ? 1 : options_.volume_factors[b]);
         for (int round = 0; round < kVolumeRounds; ++round) {
@@ -200,7 +278,7 @@ class Fitter {
             if (std::abs(missing) <= kVolumeOff * base.volume) break;
             for (std::size_t i = 0; i < base.thick.size(); ++i)
                 base.samples.inside[i].z -= std::max(missing / base.volume, -kMostShrunk) * base.thick[i];
-            result_.sheets[b + 1] = refit_height_patch(base.samples, result_.sheets[b + 1]);
+            result_.sheets[b + 1] = refit_height_patch(base.samples, result_.sheets[b + 1], limits);
         }
         measure(b, base, here);
     }
@@ -209,6 +287,7 @@ class Fitter {
         const auto& body = cells_.bodies[b];
         BaseSamples base;
         for (const auto f : body.faces) {
+            base.samples.covered.push_back(box(f));
             for (const auto v : corners(f)) base.volume += area(f) * thickness(body, v) / 3;
             base.area += area(f);
         }
@@ -222,7 +301,7 @@ class Fitter {
             base.samples.inside.push_back(
                 {at, std::min(std::lerp(z, top - thick, near_top), top - thick / 2), share,
                  exact * std::clamp(options_.thin_tolerance * thick, kLeastTolerance * tolerance, tolerance),
-                 top - kLeastShare * thick});
+                 top - kHighestShare * thick});
             base.top.push_back(top);
             base.thick.push_back(thick);
         };
@@ -312,10 +391,9 @@ class Fitter {
         for (std::size_t i = 0; i < base.thick.size(); ++i)
             result_.least_thickness[b] =
                 std::min(result_.least_thickness[b], base.top[i] - sheet.z(base.samples.inside[i].at));
-        for (std::uint32_t v = 0; v < here.size(); ++v)
-            if (here[v].share > 0)
-                result_.off[b + 1] = std::max(
-                    result_.off[b + 1], std::abs(sheet.z(point(v)) - model_.horizons[body.layer + 1][v]));
+        std::vector<double> share;
+        for (const Here& h : here) share.push_back(h.share);
+        measure_off(b + 1, model_.horizons[body.layer + 1], share);
     }
 
     struct End {

@@ -26,6 +26,7 @@ struct HorizonSheets {
     std::vector<HeightPatch> sheets;     // [0] the ground, [1 + body] the base of a body
     std::vector<std::uint32_t> of_cell;  // [cells.cells]
     std::vector<double> off;             // [sheet] largest distance from the model's vertices
+    std::vector<double> usual_off;       // [sheet] the same for all but a thousandth of the plan area
     std::vector<double>
         least_thickness;  // [body] at vertices and centres of triangles where it has some; <= 0: crosses
 };

@@ -238,8 +238,11 @@ class Builder {
             quality.least_thickness = brep_.horizons.least_thickness[b];
             quality.volume = volume_between_sheets(body);
             for (const auto* faces : {&body.top, &body.base})
-                for (const auto c : *faces)
-                    quality.off = std::max(quality.off, brep_.horizons.off[brep_.horizons.of_cell[c]]);
+                for (const auto c : *faces) {
+                    const std::uint32_t sheet = brep_.horizons.of_cell[c];
+                    quality.off = std::max(quality.off, brep_.horizons.off[sheet]);
+                    quality.usual_off = std::max(quality.usual_off, brep_.horizons.usual_off[sheet]);
+                }
             brep_.quality.push_back(quality);
         }
     }

@@ -28,7 +28,8 @@ struct SmoothBrep {
         double least_thickness =
             0;           // top above base, at plan vertices where the layer has thickness; <= 0: they cross
         double off = 0;  // faces from the model's vertices
-        double edge_off = 0;  // edges from the faces that meet there
+        double usual_off = 0;  // the same for all but a thousandth of the plan area
+        double edge_off = 0;   // edges from the faces that meet there
     };
 
     PlanCells cells;

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "subdivision/thickness_limits.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace stratareeb {
+namespace {
+
+PlanBox box_of(const TriMesh& plan, std::uint32_t face) {
+    PlanBox box{INFINITY, -INFINITY, INFINITY, -INFINITY};
+    for (const auto v : plan.fv_range(plan.face_handle(face))) {
+        const auto& p = plan.point(v);
+        box.x0 = std::min(box.x0, p[0]), box.x1 = std::max(box.x1, p[0]);
+        box.y0 = std::min(box.y0, p[1]), box.y1 = std::max(box.y1, p[1]);
+    }
+    return box;
+}
+
+// The polar form of the cubic through four values at a + width k / 3, at three places (L. Ramshaw, Blossoms are polar forms,
+// 1989): the share of each value.
+std::array<double, 4> polar_form(double a, double width, const std::array<double, 3>& at) {
+    std::array<double, 4> result{};
+    const double u[] = {(at[0] - a) / width * 3, (at[1] - a) / width * 3, (at[2] - a) / width * 3};
+    const double sum = (u[0] + u[1] + u[2]) / 3, pairs = (u[0] * u[1] + u[0] * u[2] + u[1] * u[2]) / 3,
+                 all = u[0] * u[1] * u[2];
+    for (std::size_t k = 0; k < 4; ++k) {
+        // Lagrange's polynomial prod (t - m) / (k - m) over the other three.
+        double m[3], scale = 1;
+        std::size_t n = 0;
+        for (std::size_t other = 0; other < 4; ++other)
+            if (other != k) {
+                m[n++] = static_cast<double>(other);
+                scale *= static_cast<double>(k) - static_cast<double>(other);
+            }
+        result[k] = (all - (m[0] + m[1] + m[2]) * pairs + (m[0] * m[1] + m[0] * m[2] + m[1] * m[2]) * sum -
+                     m[0] * m[1] * m[2]) /
+                    scale;
+    }
+    return result;
+}
+
+// [of the finer knots][of the others]: rows of one set of basis functions in another. Exact where the finer knots have the
+// breaks of the others; each row depends on what is within its function's reach only.
+Eigen::MatrixXd in_knots(const CubicKnots& knots, const CubicKnots& finer) {
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(finer.functions()),
+                                                   static_cast<Eigen::Index>(knots.functions()));
+    const auto& breaks = finer.breaks();
+    const auto knot = [&](std::size_t i) {
+        return breaks[std::clamp<std::size_t>(i, 3, breaks.size() + 2) - 3];
+    };
+    for (std::size_t i = 0; i < finer.functions(); ++i) {
+        const std::size_t span =
+            std::clamp<std::size_t>(i, 2, breaks.size()) - 2;  // in the middle of its reach
+        const double a = breaks[span], width = breaks[span + 1] - a;
+        const auto shares = polar_form(a, width, {knot(i + 1), knot(i + 2), knot(i + 3)});
+        for (std::size_t k = 0; k < 4; ++k) {
+            const auto v = knots.values(a + width * static_cast<double>(k) / 3);
+            for (std::size_t m = 0; m < 4; ++m)
+                result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(v.first + m)) +=
+                    shares[k] * v.value[m];
+        }
+    }
+    return result;
+}
+
+// [function] whether all breaks of other knots within its reach are breaks of its own.
+std::vector<char> holds_breaks(const CubicKnots& knots, const CubicKnots& finer) {
+    const auto& breaks = finer.breaks();
+    std::vector<char> result;
+    for (std::size_t i = 0; i < finer.functions(); ++i) {
+        const double low = breaks[std::max<std::size_t>(i, 3) - 3],
+                     high = breaks[std::min(i + 1, breaks.size() - 1)];
+        result.push_back(std::ranges::all_of(knots.breaks(), [&](double t) {
+            return !(t > low && t < high) || std::ranges::binary_search(breaks, t);
+        }));
+    }
+    return result;
+}
+
+using Heights = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+// A sheet in the knots of another, with whether that is exact for a function.
+struct Top {
+    Top(const HeightPatch& patch, const CubicKnots& x, const CubicKnots& y)
+        : exact_x(holds_breaks(patch.x, x)), exact_y(holds_breaks(patch.y, y)) {
+        const Eigen::Map<const Heights> own(patch.coefficients.data(),
+                                            static_cast<Eigen::Index>(patch.x.functions()),
+                                            static_cast<Eigen::Index>(patch.y.functions()));
+        coefficients = in_knots(patch.x, x) * own * in_knots(patch.y, y).transpose();
+    }
+
+    double at(std::size_t i, std::size_t j) const {
+        return coefficients(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+    }
+
+    Heights coefficients;
+    std::vector<char> exact_x, exact_y;
+};
+
+class Limits {
+ public:
+    Limits(const CubicKnots& x, const CubicKnots& y)
+        : x_(x), y_(y), functions_(x.functions() * y.functions()) {}
+
+    void add(const TriMesh& plan, const ThicknessSample& sample) {
+        const PlanBox box = box_of(plan, sample.face);
+        auto it = tops_.find(sample.top);
+        if (it == tops_.end()) it = tops_.emplace(sample.top, Top(*sample.top, x_, y_)).first;
+        const Top& top = it->second;
+        each_over(box, [&](Function& f, std::size_t i, std::size_t j) {
+            if (top.exact_x[i] && top.exact_y[j]) f.top = std::min(f.top, top.at(i, j));
+            f.least = std::min(f.least, sample.thickness);
+        });
+    }
+
+    void add_end(const Point2& p) {
+        each_over({p.x, p.x, p.y, p.y}, [&](Function& f, std::size_t, std::size_t) { f.at_end = true; });
+    }
+
+    std::vector<double> limits(double share) const {
+        std::vector<double> result;
+        for (const Function& f : functions_)
+            result.push_back(f.top == INFINITY || f.at_end ? INFINITY : f.top - share * f.least);
+        return result;
+    }
+
+ private:
+    // What a function reaches.
+    struct Function {
+        double top = INFINITY, least = INFINITY;  // over the triangles
+        bool at_end = false;
+    };
+
+    template <typename Visit>
+    void each_over(const PlanBox& box, const Visit& visit) {
+        for (std::size_t i = x_.span(box.x0); i <= x_.span(box.x1) + 3; ++i)
+            for (std::size_t j = y_.span(box.y0); j <= y_.span(box.y1) + 3; ++j)
+                visit(functions_[i * y_.functions() + j], i, j);
+    }
+
+    const CubicKnots &x_, &y_;
+    std::vector<Function> functions_;
+    std::map<const HeightPatch*, Top> tops_;
+};
+
+}  // namespace
+
+std::vector<double> limits_below_top(const CubicKnots& x, const CubicKnots& y, const TriMesh& plan,
+                                     const std::vector<ThicknessSample>& samples,
+                                     const std::vector<HeightSample>& ends, double share) {
+    Limits limits(x, y);
+    for (const auto& sample : samples) limits.add(plan, sample);
+    for (const auto& end : ends) limits.add_end(end.at);
+    return limits.limits(share);
+}
+
+}  // namespace stratareeb
