@@ -21,6 +21,15 @@ PlanBox box_of(const TriMesh& plan, std::uint32_t face) {
     return box;
 }
 
+// A B-spline's inner three knots, which its coefficient depends on.
+std::array<double, 3> inner_knots(const CubicKnots& knots, std::size_t function) {
+    const auto& breaks = knots.breaks();
+    const auto knot = [&](std::size_t i) {
+        return breaks[std::clamp<std::size_t>(i, 3, breaks.size() + 2) - 3];
+    };
+    return {knot(function + 1), knot(function + 2), knot(function + 3)};
+}
+
 // The polar form of the cubic through four values at a + width k / 3, at three places (L. Ramshaw, Blossoms are polar forms,
 // 1989): the share of each value.
 std::array<double, 4> polar_form(double a, double width, const std::array<double, 3>& at) {
@@ -50,14 +59,11 @@ Eigen::MatrixXd in_knots(const CubicKnots& knots, const CubicKnots& finer) {
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(finer.functions()),
                                                    static_cast<Eigen::Index>(knots.functions()));
     const auto& breaks = finer.breaks();
-    const auto knot = [&](std::size_t i) {
-        return breaks[std::clamp<std::size_t>(i, 3, breaks.size() + 2) - 3];
-    };
     for (std::size_t i = 0; i < finer.functions(); ++i) {
         const std::size_t span =
             std::clamp<std::size_t>(i, 2, breaks.size()) - 2;  // in the middle of its reach
         const double a = breaks[span], width = breaks[span + 1] - a;
-        const auto shares = polar_form(a, width, {knot(i + 1), knot(i + 2), knot(i + 3)});
+        const auto shares = polar_form(a, width, inner_knots(finer, i));
         for (std::size_t k = 0; k < 4; ++k) {
             const auto v = knots.values(a + width * static_cast<double>(k) / 3);
             for (std::size_t m = 0; m < 4; ++m)
@@ -68,16 +74,15 @@ Eigen::MatrixXd in_knots(const CubicKnots& knots, const CubicKnots& finer) {
     return result;
 }
 
-// [function] whether all breaks of other knots within its reach are breaks of its own.
-std::vector<char> holds_breaks(const CubicKnots& knots, const CubicKnots& finer) {
-    const auto& breaks = finer.breaks();
+// [function of the finer knots] whether the others reach as far as its inner knots and have no breaks between these that
+// the finer ones have not: only then is its coefficient exact. Beyond their ends splines run off steeply.
+std::vector<char> is_exact(const CubicKnots& knots, const CubicKnots& finer) {
     std::vector<char> result;
     for (std::size_t i = 0; i < finer.functions(); ++i) {
-        const double low = breaks[std::max<std::size_t>(i, 3) - 3],
-                     high = breaks[std::min(i + 1, breaks.size() - 1)];
-        result.push_back(std::ranges::all_of(knots.breaks(), [&](double t) {
-            return !(t > low && t < high) || std::ranges::binary_search(breaks, t);
-        }));
+        const auto k = inner_knots(finer, i);
+        result.push_back(k[0] >= knots.low() && k[2] <= knots.high() &&
+                         std::ranges::none_of(knots.breaks(),
+                                              [&](double t) { return t > k[0] && t < k[2] && t != k[1]; }));
     }
     return result;
 }
@@ -87,7 +92,7 @@ using Heights = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Row
 // A sheet in the knots of another, with whether that is exact for a function.
 struct Top {
     Top(const HeightPatch& patch, const CubicKnots& x, const CubicKnots& y)
-        : exact_x(holds_breaks(patch.x, x)), exact_y(holds_breaks(patch.y, y)) {
+        : exact_x(is_exact(patch.x, x)), exact_y(is_exact(patch.y, y)) {
         const Eigen::Map<const Heights> own(patch.coefficients.data(),
                                             static_cast<Eigen::Index>(patch.x.functions()),
                                             static_cast<Eigen::Index>(patch.y.functions()));
