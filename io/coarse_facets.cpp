@@ -18,7 +18,8 @@ namespace stratareeb {
 namespace {
 
 constexpr int kRounds = 3;
-constexpr double kNextError = 0.25;  // of the error before
+constexpr double kNextError = 0.25;   // of the error before
+constexpr double kLeastFactor = 0.5;  // of thicknesses between holes, for the volume's sake
 
 using Faces = std::vector<std::uint32_t>;
 
@@ -103,6 +104,69 @@ double volume_over(const LayerModel& model, std::uint32_t layer, const Faces& fa
     return volume;
 }
 
+// Thicknesses of the coarse model, body by body, by the factor that gives those whose volume differs the one they had; holes
+// keep theirs, where that is enough. What is 0 stays 0, and horizons stay in order.
+class VolumeKeeper {
+ public:
+    VolumeKeeper(const LayerModel& model, const PlanCells& cells, const std::vector<Faces>& faces,
+                 double tolerance, LayerModel& coarse)
+        : model_(model), cells_(cells), faces_(faces), tolerance_(tolerance), coarse_(coarse) {
+        is_hole_.assign(coarse.plan.surface.n_vertices(), 0);
+        for (const auto v : coarse.plan.hole_vertex)
+            if (v != PlanMesh::kNoVertex) is_hole_[v] = 1;
+    }
+
+    //! \return how far a horizon moved at most.
+    double keep() {
+        std::vector<std::vector<double>> factors(coarse_.units.size(),
+                                                 std::vector<double>(is_hole_.size(), 1));
+        for (std::size_t b = 0; b < faces_.size(); ++b) set_factors(b, factors[cells_.bodies[b].layer]);
+        double moved = 0;
+        std::vector<double> above = coarse_.horizons.front();  // as it was
+        for (std::size_t layer = 0; layer < coarse_.units.size(); ++layer) {
+            auto& base = coarse_.horizons[layer + 1];
+            const auto& top = coarse_.horizons[layer];
+            for (std::size_t v = 0; v < base.size(); ++v) {
+                const double before = base[v];
+                base[v] = top[v] - factors[layer][v] * (above[v] - before);
+                above[v] = before;
+                moved = std::max(moved, std::abs(base[v] - before));
+            }
+        }
+        return moved;
+    }
+
+ private:
+    void set_factors(std::size_t b, std::vector<double>& factors) const {
+        const TriMesh& plan = coarse_.plan.surface;
+        const std::uint32_t layer = cells_.bodies[b].layer;
+        double in_holes = 0, elsewhere = 0;
+        for (const auto f : faces_[b])
+            for (const auto v : plan.fv_range(plan.face_handle(f))) {
+                const auto i = static_cast<std::size_t>(v.idx());
+                (is_hole_[i] ? in_holes : elsewhere) +=
+                    plan.calc_face_area(plan.face_handle(f)) / 3 * coarse_.thickness(layer, i);
+            }
+        const double wanted = volume_over(model_, layer, cells_.bodies[b].faces);
+        if (std::abs(in_holes + elsewhere - wanted) <= tolerance_ * wanted) return;
+        const double without_holes = elsewhere > 0 ? (wanted - in_holes) / elsewhere : 0;
+        const bool keeps_holes = without_holes > kLeastFactor && without_holes < 1 / kLeastFactor;
+        const double factor = keeps_holes ? without_holes : wanted / (in_holes + elsewhere);
+        if (!std::isfinite(factor)) return;
+        for (const auto f : faces_[b])
+            for (const auto v : plan.fv_range(plan.face_handle(f)))
+                if (const auto i = static_cast<std::size_t>(v.idx()); !(keeps_holes && is_hole_[i]))
+                    factors[i] = factor;
+    }
+
+    const LayerModel& model_;
+    const PlanCells& cells_;
+    const std::vector<Faces>& faces_;
+    double tolerance_;
+    LayerModel& coarse_;
+    std::vector<char> is_hole_;
+};
+
 }  // namespace
 
 CoarseFacets coarse_facets(const LayerModel& model, const PlanCells& cells,
@@ -128,7 +192,8 @@ CoarseFacets coarse_facets(const LayerModel& model, const PlanCells& cells,
         coarse = decimate_layers(model, {.triangles = options.most_triangles});
         faces = finder.faces_in(coarse.model);
     }
-    CoarseFacets result{.deviation = coarse.deviation};
+    const double moved = VolumeKeeper(model, cells, faces, options.volume_tolerance, coarse.model).keep();
+    CoarseFacets result{.deviation = coarse.deviation + moved};
     for (const std::size_t b : bodies)
         result.solids.push_back(solid_over(coarse.model, cells.bodies[b].layer, faces[b]));
     return result;

@@ -19,7 +19,8 @@ struct CoarseFacetsOptions {
 };
 
 //! Bodies of a layer model as solids of planar faces, fewer than the model has: of the model with triangles left out, so
-//! that these bodies share their triangles with each other. The error is quartered, twice at most, where volumes would differ.
+//! that these bodies share their triangles with each other. The error is quartered, twice at most, where volumes would differ;
+//! what is missing then comes by a factor of the thickness.
 struct CoarseFacets {
     std::vector<std::shared_ptr<const TopoDS_Shape>> solids;  // [bodies asked for]
     double deviation = 0;  // largest vertical distance of a horizon from the model's
