@@ -55,10 +55,20 @@ class HeightFitter {
             take(result, equations.solve());
             const double worst = worst_to_refine(result.patch);
             if (!(worst > 1 && refine(result.patch, worst))) {
-                hold_below(equations, result);
+                if (options_.limits) hold_below(equations, result);
                 return result;
             }
         }
+    }
+
+    HeightFit refit(HeightFit fit) {
+        SplineEquations equations(fit.patch.x, fit.patch.y);
+        set_up(equations, fit.patch);
+        if (options_.limits)
+            hold_below(equations, fit);
+        else
+            take(fit, equations.solve());
+        return fit;
     }
 
  private:
@@ -103,10 +113,12 @@ class HeightFitter {
     // Least squares among coefficients below their limits; samples that are above theirs all the same are pressed down one
     // by one.
     void hold_below(SplineEquations& equations, HeightFit& fit) {
-        if (!options_.limits) return;
         std::vector<double> limits = options_.limits(fit.patch.x, fit.patch.y);
+        if (fit.held.empty())
+            for (std::size_t i = 0; i < limits.size(); ++i)
+                fit.held.push_back(fit.patch.coefficients[i] > limits[i]);
         for (double& z : limits) z -= mean_;
-        take(fit, equations.solve_below(limits));
+        take(fit, equations.solve_below(limits, fit.held));
         press_down(fit.patch);
         measure(fit);
     }
@@ -198,7 +210,7 @@ class HeightFitter {
     }
 
     const HeightSamples& samples_;
-    const HeightFitOptions& options_;
+    const HeightFitOptions options_;
     double total_ = 0, mean_ = 0, loosest_ = 0;
     std::vector<double> off_inside_, off_border_;
 };
@@ -229,10 +241,8 @@ HeightFit fit_height_patch(const HeightSamples& samples, const HeightFitOptions&
     return HeightFitter(samples, options).fit();
 }
 
-HeightPatch refit_height_patch(const HeightSamples& samples, const HeightPatch& patch,
-                               const LimitMaker& limits) {
-    return fit_height_patch(samples, {.x = patch.x, .y = patch.y, .most_functions = 0, .limits = limits})
-        .patch;
+HeightFit refit_height_patch(const HeightSamples& samples, const HeightFit& fit, const LimitMaker& limits) {
+    return HeightFitter(samples, {.limits = limits}).refit(fit);
 }
 
 }  // namespace stratareeb

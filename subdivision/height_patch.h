@@ -45,6 +45,7 @@ struct HeightFitOptions {
 struct HeightFit {
     HeightPatch patch;
     double off_inside = 0, off_border = 0;  // largest distance at samples
+    std::vector<char> held;                 // [coefficient] whether it is at its limit; empty without limits
 };
 
 struct PlanBox {
@@ -64,8 +65,8 @@ struct HeightSamples {
 //! \throw GeometryError if the equations can't be solved.
 HeightFit fit_height_patch(const HeightSamples& samples, const HeightFitOptions& options);
 
-//! The same with the spans of a patch as they are.
-HeightPatch refit_height_patch(const HeightSamples& samples, const HeightPatch& patch,
-                               const LimitMaker& limits = {});
+//! The same for other heights of the samples, with the spans that a fit came to. Limits as in the fit.
+HeightFit refit_height_patch(const HeightSamples& samples, const HeightFit& fit,
+                             const LimitMaker& limits = {});
 
 }  // namespace stratareeb

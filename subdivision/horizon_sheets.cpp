@@ -140,7 +140,7 @@ class Fitter {
             if (share[v] > 0)
                 samples.inside.push_back(
                     {point(v), ground[v], share[v], (is_hole_[v] ? kHoleTolerance : 1) * tolerance});
-        fit_sheet(0, samples, faces, {}, kGroundShare);
+        result_.sheets[0] = fit_sheet(samples, faces, {}, kGroundShare).patch;
         measure_off(0, ground, share);
     }
 
@@ -199,8 +199,8 @@ class Fitter {
 
     // Spans of the sheets above are kept, so that the base of a thin layer can follow its top in all detail: all are
     // halves of halves of the same.
-    void fit_sheet(std::uint32_t s, const HeightSamples& samples, const std::vector<std::uint32_t>& faces,
-                   const std::vector<Top>& tops, double share, const LimitMaker& limits = {}) {
+    HeightFit fit_sheet(const HeightSamples& samples, const std::vector<std::uint32_t>& faces,
+                        const std::vector<Top>& tops, double share, const LimitMaker& limits = {}) {
         const auto most =
             std::min(static_cast<std::size_t>(share * static_cast<double>(options_.most_functions)),
                      std::max(kFewFunctions, samples.inside.size()));
@@ -213,10 +213,8 @@ class Fitter {
             x = more_x;
             y = more_y;
         }
-        result_.sheets[s] =
-            fit_height_patch(
-                samples, {.finest = finest(faces), .x = x, .y = y, .most_functions = most, .limits = limits})
-                .patch;
+        return fit_height_patch(
+            samples, {.finest = finest(faces), .x = x, .y = y, .most_functions = most, .limits = limits});
     }
 
     static CubicKnots joined(const CubicKnots& a, const CubicKnots& b) {
@@ -268,9 +266,11 @@ class Fitter {
         const LimitMaker limits = [&](const CubicKnots& x, const CubicKnots& y) {
             return limits_below_top(x, y, plan_, thicknesses, base.samples.border, kLeastShare);
         };
-        fit_sheet(b + 1, base.samples, body.faces, tops_of(body, base.area),
-                  std::lerp(kGroundShare, 1, (body.layer + 1.0) / static_cast<double>(model_.units.size())),
-                  limits);
+        HeightFit fit = fit_sheet(
+            base.samples, body.faces, tops_of(body, base.area),
+            std::lerp(kGroundShare, 1, (body.layer + 1.0) / static_cast<double>(model_.units.size())),
+            limits);
+        result_.sheets[b + 1] = fit.patch;
         const double wanted =
             base.volume * (options_.volume_factors.empty() ? 1 : options_.volume_factors[b]);
         for (int round = 0; round < kVolumeRounds; ++round) {
@@ -278,7 +278,8 @@ class Fitter {
             if (std::abs(missing) <= kVolumeOff * base.volume) break;
             for (std::size_t i = 0; i < base.thick.size(); ++i)
                 base.samples.inside[i].z -= std::max(missing / base.volume, -kMostShrunk) * base.thick[i];
-            result_.sheets[b + 1] = refit_height_patch(base.samples, result_.sheets[b + 1], limits);
+            fit = refit_height_patch(base.samples, fit, limits);
+            result_.sheets[b + 1] = fit.patch;
         }
         measure(b, base, here);
     }

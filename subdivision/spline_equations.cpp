@@ -187,8 +187,9 @@ std::vector<double> SplineEquations::solve() {
     return {c.begin(), c.end()};
 }
 
-std::vector<double> SplineEquations::solve_below(const std::vector<double>& highest) {
-    std::vector<char> held(highest.size(), 0);
+std::vector<double> SplineEquations::solve_below(const std::vector<double>& highest,
+                                                 std::vector<char>& held) {
+    held.resize(highest.size(), 0);
     Eigen::VectorXd c;
     for (int round = 0; round < kMostRounds; ++round) {
         c = impl_->solve(held, highest);

@@ -32,7 +32,8 @@ class SplineEquations {
     //! The same among coefficients that are nowhere above limits (infinity = none), by a primal-dual active set
     //! (M. Hintermueller, K. Ito, K. Kunisch, 2002). Limits hold exactly; where the set does not settle, coefficients are
     //! not quite those of least squares.
-    std::vector<double> solve_below(const std::vector<double>& highest);
+    //! \param held [coefficient] to be tried first as those at their limits, and then those that are; empty = none
+    std::vector<double> solve_below(const std::vector<double>& highest, std::vector<char>& held);
 
  private:
     struct Impl;

@@ -67,8 +67,11 @@ TEST(SplineEquations, are_those_of_least_squares_where_limits_are_far) {
     SplineEquations equations(kX, kY);
     set_up(equations, heights);
     const auto c = equations.solve();
-    EXPECT_EQ(equations.solve_below(std::vector<double>(c.size(), 1e9)), c);
-    EXPECT_EQ(equations.solve_below(std::vector<double>(c.size(), kFree)), c);
+    for (const double limit : {1e9, kFree}) {
+        std::vector<char> held;
+        EXPECT_EQ(equations.solve_below(std::vector<double>(c.size(), limit), held), c);
+        EXPECT_EQ(held, std::vector<char>(c.size(), 0));
+    }
 }
 
 // Of a convex problem the solution is the place from which no single coefficient can move to a better one within its limit.
@@ -84,7 +87,16 @@ TEST(SplineEquations, find_the_best_below_limits) {
             const double by = std::uniform_real_distribution<double>(-0.3, 0.5)(random);
             highest.push_back(random() % 3 == 0 ? kFree : c + by);
         }
-        auto c = equations.solve_below(highest);
+        std::vector<char> held, other(highest.size(), 0);
+        auto c = equations.solve_below(highest, held);
+        for (std::size_t i = 0; i < other.size(); ++i) other[i] = highest[i] != kFree && random() % 2 == 0;
+        const auto again = equations.solve_below(highest, other);  // from any start
+        for (std::size_t i = 0; i < c.size(); ++i) {
+            EXPECT_NEAR(c[i], again[i], 1e-9) << seed;
+            if (held[i]) {
+                EXPECT_NEAR(c[i], highest[i], 1e-12) << seed;
+            }
+        }
         const double best = squares(heights, c);
         EXPECT_GT(best, squares(heights, least)) << seed;
         for (std::size_t i = 0; i < c.size(); ++i) {
