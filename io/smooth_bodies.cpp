@@ -24,6 +24,8 @@ constexpr double kIntegrationShare =
     0.2;                              // of the volume that a body may be off, for how CAD programs integrate
 constexpr double kFacetShare = 0.02;  // of the thinnest body's mean thickness: what facets may be off
 constexpr int kRetries = 2;           // of the fit, while bodies have faults
+// Of all sheets together, so that a model of hundreds of bodies comes to an end; and of one sheet at least.
+constexpr std::size_t kAllFunctions = 300'000, kLeastFunctions = 1'000;
 constexpr std::size_t kManyBodies = 40;              // that are fitted once, to come to an end
 constexpr double kMostCorrected = 0.1;               // of a body's volume, a time
 constexpr std::size_t kSpansAStrip[] = {28, 14, 7};  // each cuts those before further
@@ -34,6 +36,9 @@ class Maker {
         : model_(model), options_(options), fit_(options.fit) {}
 
     SmoothBodies make() {
+        const std::size_t bodies = build_plan_cells(model_, fit_.cells).bodies.size();
+        auto& most = fit_.sheets.most_functions;
+        most = std::min(most, std::max(kLeastFunctions, kAllFunctions / std::max<std::size_t>(bodies, 1)));
         fit();
         const int retries = shapes_.size() > kManyBodies ? 0 : kRetries;
         for (int round = 0; round < retries && count_faults() > 0; ++round) try_again(round > 0);

@@ -123,19 +123,26 @@ class HeightFitter {
         measure(fit);
     }
 
-    // Each sample above its limit down to it by the least change of coefficients, again and again (S. Kaczmarz, 1937). All
-    // changes go down: what was below stays so, and no sample comes up elsewhere.
+    // Border samples to their heights, and samples above their limits down to these, one by one by the least change of
+    // coefficients, again and again (S. Kaczmarz, 1937); in the end only down: what was below stays so.
     void press_down(HeightPatch& patch) const {
-        bool any = true;
-        for (int sweep = 0; sweep < kMostSweeps && any; ++sweep) {
-            any = false;
-            for (const auto& s : samples_.inside) {
-                const double above = patch.z(s.at) - s.highest;
-                if (!(above > 0)) continue;
-                any = true;
-                lower(patch, s.at, above);
-            }
+        for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
+            for (const auto& s : samples_.border) lower(patch, s.at, patch.z(s.at) - s.z);
+            press_all(patch);
         }
+        for (int sweep = 0; sweep < kMostSweeps && press_all(patch); ++sweep) {
+        }
+    }
+
+    bool press_all(HeightPatch& patch) const {
+        bool any = false;
+        for (const auto& s : samples_.inside) {
+            const double above = patch.z(s.at) - s.highest;
+            if (!(above > 0)) continue;
+            lower(patch, s.at, above);
+            any = true;
+        }
+        return any;
     }
 
     static void lower(HeightPatch& patch, const Point2& at, double by) {

@@ -23,6 +23,8 @@ constexpr double kMargin = 0.02;         // of the longer side, around the plan
 constexpr double kGroundShare =
     0.5;                            // of the functions that a sheet may have; the lowest horizon may have all
 constexpr double kMuchOfTop = 0.3;  // of a body's area: the sheets above that much of it lend it their spans
+constexpr std::size_t kMostOfTops =
+    2;  // times the functions of a sheet, however much of the body lies under them
 constexpr std::size_t kFewFunctions = 200;
 constexpr double kHoleTolerance = 0.5;  // of the tolerance elsewhere, at boreholes
 constexpr int kVolumeRounds = 3;
@@ -209,7 +211,8 @@ class Fitter {
             const HeightPatch& sheet = result_.sheets[top.sheet];
             const CubicKnots more_x = joined(x, part_of(sheet.x, top.x0, top.x1)),
                              more_y = joined(y, part_of(sheet.y, top.y0, top.y1));
-            if (top.share < kMuchOfTop && more_x.functions() * more_y.functions() > most) continue;
+            const std::size_t functions = more_x.functions() * more_y.functions();
+            if (functions > (top.share < kMuchOfTop ? most : kMostOfTops * options_.most_functions)) continue;
             x = more_x;
             y = more_y;
         }
