@@ -88,8 +88,20 @@ class Maker {
         for (const std::size_t spans : kSpansAStrip) {
             const auto sheets = badly_integrated();
             if (std::ranges::count(sheets, 1) == 0) break;
-            cut_into_strips(brep_, sheets, spans);
+            if (!cut(sheets, spans)) break;
             examine_all();
+        }
+    }
+
+    // False if that can't be: then all stays as it is.
+    bool cut(const std::vector<char>& sheets, std::size_t spans) {
+        SmoothBrep whole = brep_;
+        try {
+            cut_into_strips(brep_, sheets, spans);
+            return true;
+        } catch (const GeometryError&) {
+            brep_ = std::move(whole);
+            return false;
         }
     }
 

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <map>
 
+#include "boreholes/errors.h"
 #include "mesh/point_in_ring.h"
+
 namespace stratareeb {
 namespace {
 
@@ -311,8 +313,18 @@ class Cutter {
                         geometry);
     }
 
+    using StripCorner = std::pair<std::size_t, std::uint32_t>;
+
+    static std::size_t next_from(const std::map<StripCorner, std::size_t>& from_line,
+                                 const StripCorner& here) {
+        const auto it = from_line.find(here);
+        if (it == from_line.end())
+            throw GeometryError("a smooth face can't be cut into strips: its edge touches a line of the cut");
+        return it->second;
+    }
+
     void join(std::uint32_t c, std::vector<Part>& parts, const std::map<std::uint32_t, double>& on_line) {
-        std::map<std::pair<std::size_t, std::uint32_t>, std::size_t> from_line;  // strip and corner
+        std::map<StripCorner, std::size_t> from_line;
         for (std::size_t i = 0; i < parts.size(); ++i)
             if (on_line.contains(start_of(parts[i].use)))
                 from_line[{parts[i].strip, start_of(parts[i].use)}] = i;
@@ -325,7 +337,7 @@ class Cutter {
                 parts[i].is_walked = true;
                 loops.back().second.push_back(parts[i].use);
                 const std::uint32_t corner = end_of(parts[i].use);
-                i = on_line.contains(corner) ? from_line.at({parts[i].strip, corner}) : parts[i].next;
+                i = on_line.contains(corner) ? next_from(from_line, {parts[i].strip, corner}) : parts[i].next;
             }
         }
         share_out(c, loops);

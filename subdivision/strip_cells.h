@@ -13,6 +13,7 @@ namespace stratareeb {
 //! hundred spans. Strips of a sheet meet in curves of it, exactly.
 //! \param sheets [sheet] whose faces are to be cut
 //! \param spans of a strip
+//! \throw GeometryError if an edge only touches a line; the faces are cut in part then.
 void cut_into_strips(SmoothBrep& brep, const std::vector<char>& sheets, std::size_t spans = 14);
 
 }  // namespace stratareeb
