@@ -11,12 +11,6 @@
 #include "tests/shapes.h"
 #include "tests/temporary_folder.h"
 
-// Fontconfig keeps what it has found of the fonts until the program ends, which the leak sanitizer takes for a leak.
-// NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming)
-extern "C" __attribute__((used)) const char* __lsan_default_suppressions() {
-    return "leak:libfontconfig\n";
-}
-
 namespace stratareeb {
 namespace {
 
