@@ -294,8 +294,7 @@ class GraphOfMesh {
         const bool is_first = below == 0, is_last = below == contours.size();
         const double share = is_first == is_last ? kHalf : is_first ? end_share : 1 - end_share;
         const double z = height_between(low, high, share);
-        if (!(high - low > kLeastGap * (top - bottom)) || !(low < z && z < high) ||
-            !(high - low > kLeastRise * std::max(std::abs(low), std::abs(high))) ||
+        if (!has_room(low, high, bottom, top) || !(low < z && z < high) ||
             contours.size() >= options_.most_per_arc)
             return false;
         LevelContour contour = mesh_contours_.at(edge, z);
@@ -356,12 +355,10 @@ class GraphOfMesh {
     static constexpr double kNearEnd = 0.3;  // contours spread beside a node like the root of the height
     static constexpr double kShareOfTolerance =
         0.8;  // what is between, and joining otherwise, may bring places farther off
-    static constexpr double kLeastRise = 1e-12;        // of heights: rounding would make edges fall
     static constexpr std::ptrdiff_t kFewVertices = 8;  // in a thin slice
     static constexpr std::size_t kNearRounds = 12;
     static constexpr std::size_t kQuickRounds = 2;
     static constexpr std::size_t kCrossingsLookedAt = 5000;  // pairs of triangles
-    static constexpr double kLeastGap = 1e-4;                // of an edge's height, between contours
     static constexpr double kNearNode = 1e-6;  // of an edge's height: no contour within is closer to its ends
 
     const TriMesh& mesh_;

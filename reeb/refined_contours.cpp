@@ -2,6 +2,7 @@
 #include "reeb/refined_contours.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -14,6 +15,8 @@ namespace {
 using Contours = std::vector<LevelContour>;
 
 constexpr std::size_t kCrossingHalvings = 4;  // of an interval
+constexpr double kLeastGap = 1e-4;            // of an edge's height
+constexpr double kLeastRise = 1e-12;          // of heights
 
 class Refinement {
  public:
@@ -53,7 +56,8 @@ class Refinement {
     std::optional<LevelContour> needed_between(const Contours& contours, std::size_t k,
                                                std::size_t round) const {
         const double low = contours[k].z, high = contours[k + 1].z, z = low + 0.5 * (high - low);
-        if (!(low < z && z < high)) return std::nullopt;
+        if (!(low < z && z < high) || !has_room(low, high, contours.front().z, contours.back().z))
+            return std::nullopt;
         const bool crosses =
             round < kCrossingHalvings && crosses_between(contours, k, scale_, options_.homotopy);
         if (!crosses && options_.tolerance <= 0) return std::nullopt;
@@ -73,6 +77,11 @@ class Refinement {
 };
 
 }  // namespace
+
+bool has_room(double low, double high, double bottom, double top) {
+    return high - low > kLeastGap * (top - bottom) &&
+           high - low > kLeastRise * std::max(std::abs(low), std::abs(high));
+}
 
 void refine_contours(Contours& contours, const HeightScale& scale,
                      const std::function<LevelContour(double)>& at, const ContourRefinement& options) {

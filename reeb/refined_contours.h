@@ -17,6 +17,9 @@ struct ContourRefinement {
     std::size_t most = 200;  // contours
 };
 
+//! Is there room for a contour between heights of an edge from `bottom` to `top`? Closer ones would be rounding, and edges would not rise.
+bool has_room(double low, double high, double bottom, double top);
+
 //! More contours of an edge, half way between neighbours, where what the homotopy makes there crosses itself (four times at most:
 //! contours may crowd so that no number of them helps) or is too far from the truth. The whole edge is gone through once, then where that
 //! was not enough, so that no place takes the room of others.

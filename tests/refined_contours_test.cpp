@@ -43,6 +43,20 @@ TEST(RefinedContours, stay_as_they_are_where_nothing_crosses_and_no_tolerance_is
     EXPECT_EQ(refined([](double z) { return circle(z, 1 + z); }, {.tolerance = 1e-3}).size(), 2u) << "a cone";
 }
 
+// At a step no contour between is near enough: they stop where closer ones would be rounding, not at the last bit.
+TEST(RefinedContours, leave_room_between_one_another_at_a_step) {
+    const auto step = [](double z) { return circle(z, z < 5.123 ? 1 : 2); };
+    const auto contours = refined(step, {.tolerance = 0.01});
+    EXPECT_GT(contours.size(), 10u);
+    double least = 10;
+    for (std::size_t k = 1; k < contours.size(); ++k)
+        least = std::min(least, contours[k].z - contours[k - 1].z);
+    EXPECT_GT(least, 0.49e-4 * 9);
+    EXPECT_TRUE(has_room(1, 1.5, 0, 10));
+    EXPECT_FALSE(has_room(1, 1.0009, 0, 10));
+    EXPECT_FALSE(has_room(1e9, 1e9 + 1e-4, 1e9, 1e9 + 1e-3));
+}
+
 TEST(RefinedContours, come_as_near_as_is_asked_half_way) {
     std::size_t before = 0;
     for (const double tolerance : {0.1, 0.01, 0.001}) {
