@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "reeb/cap_profile.h"
-#include "reeb/cap_slopes.h"
+#include "reeb/cap_rows.h"
 #include "reeb/contour_alignment.h"
 #include "reeb/contour_matching.h"
 #include "reeb/height_scale.h"
@@ -268,13 +268,13 @@ class StrandBuilder {
                 return surface_.add_flat_cap(last, is_top, strand_.is_hole);
             case Kind::Tip: {
                 const std::vector<Point3> targets(last.shape.points.size(), end.node);
-                return add_rows(last, straight ? kNoRows : cap_rows(targets, end, is_top), tip_ring(end.node),
-                                is_top);
+                return add_rows(last, straight ? kNoRows : rows_of_cap(targets, end, is_top),
+                                tip_ring(end.node), is_top);
             }
             case Kind::Ridge: {
                 const Ring ridge = with_origin(*end.ring, aligned_origin(last.shape, end.ring->shape));
                 const std::vector<Point3> targets = points_at(ridge.shape, last.shape.parameters);
-                return add_rows(last, straight ? kNoRows : cap_rows(targets, end, is_top), ridge, is_top);
+                return add_rows(last, straight ? kNoRows : rows_of_cap(targets, end, is_top), ridge, is_top);
             }
             case Kind::Approach:
                 return add_rows(last, straight ? kNoRows : end.approach, *end.ring, is_top, end.group);
@@ -307,35 +307,12 @@ class StrandBuilder {
         add(end);
     }
 
-    //! From a contour to a point of its own for each of its points, at the node's height. Rows are closer towards the end, where the
-    //! width falls like a root.
-    std::vector<SampledContour> cap_rows(const std::vector<Point3>& targets, const StrandEnd& end,
-                                         bool is_top) const {
+    std::vector<SampledContour> rows_of_cap(const std::vector<Point3>& targets, const StrandEnd& end,
+                                            bool is_top) const {
         if (is_round_ && end.kind == Kind::Tip) return round_cap_rows(is_top);
-        const Point3& node = end.node;
-        const Ring& last = is_top ? rings_.back() : rings_.front();
-        const double height = is_top ? heights_.back() : heights_.front();
-        const auto own = CapProfile::of(strand_.homotopy.kind);
-        std::vector<CapProfile> profiles;
-        if (!own)
-            for (const double slope : end_slopes(targets, node.z, is_top))
-                profiles.push_back(CapProfile::conic(end.is_outline ? std::max(slope, 0.0) : slope));
-        std::vector<SampledContour> rows;
-        for (std::size_t j = steps_ - 1; j > 0; --j) {
-            const double root = static_cast<double>(j) / static_cast<double>(steps_), x = root * root;
-            const double z = node.z + x * (height - node.z);
-            SampledContour row = last.shape;
-            for (std::size_t i = 0; i < row.points.size(); ++i) {
-                Point3& p = row.points[i];
-                const Point3& target = targets[i];
-                const double width = (own ? *own : profiles[i]).width(x);
-                p = {target.x + width * (p.x - target.x), target.y + width * (p.y - target.y),
-                     z + width * (p.z - height)};
-            }
-            if (end.kind == Kind::Tip && strand_.lean) lean_over(row, x, z);
-            rows.push_back(std::move(row));
-        }
-        return rows;
+        const CapBase base{is_top ? rings_.back().shape : rings_.front().shape,
+                           is_top ? heights_.back() : heights_.front(), is_top};
+        return cap_rows(base, targets, strand_, homotopy_ ? &*homotopy_ : nullptr, steps_);
     }
 
     //! The tip is one of the homotopy's contours.
@@ -344,33 +321,6 @@ class StrandBuilder {
         std::vector<SampledContour> rows = homotopy_->contours_between(interval, steps_in(interval));
         if (!is_top) std::ranges::reverse(rows);
         return rows;
-    }
-
-    //! The lean of SlidingHomotopy, between a tip and a contour.
-    void lean_over(SampledContour& row, double x, double z) const {
-        const Point3 own = mean_point(row), edge = MonotoneEdge(*strand_.lean).at(z);
-        const double weight = sliding_weight(x);
-        for (Point3& p : row.points) p = p + Point3{weight * (edge.x - own.x), weight * (edge.y - own.y), 0};
-    }
-
-    //! How the contour's width goes on from a cap at each of its points, d width / d x of CapProfile at x = 1.
-    std::vector<double> end_slopes(const std::vector<Point3>& targets, double node_z, bool is_top) const {
-        const double height = is_top ? heights_.back() : heights_.front(), rise = std::abs(height - node_z);
-        if (!homotopy_) return std::vector<double>(targets.size(), single_slope(rise));
-        constexpr double kStep = 1e-3;
-        const std::size_t beside_end = is_top ? homotopy_->intervals() - 1 : 0;
-        const SampledContour& contour = homotopy_->contours()[is_top ? beside_end + 1 : 0];
-        const double t = is_top ? 1 - kStep : kStep;
-        const double way = std::abs(homotopy_->level(beside_end, t) - height);
-        return cap_slopes(contour.points, targets, homotopy_->contour_at(contour.parameters, beside_end, t),
-                          way / rise);
-    }
-
-    //! A contour alone between two tips: the ellipsoid through them. Between a tip and a saddle: upright.
-    double single_slope(double rise) const {
-        if (strand_.bottom.kind != Kind::Tip || strand_.top.kind != Kind::Tip) return 0;
-        const double whole = strand_.top.node.z - strand_.bottom.node.z;
-        return 1 - whole / (whole - rise) / 2;
     }
 
     BandSurface& surface_;
