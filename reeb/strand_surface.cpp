@@ -180,9 +180,12 @@ class StrandBuilder {
     //! goes on from there to the critical point, not to the ring's centre, so nothing leans along it.
     void add_between(std::size_t k) {
         const bool at_saddle = is_bouquet(k) || is_bouquet(k + 1);
+        const std::size_t most = at_saddle ? std::max(steps_, kLeastAtSaddle) : steps_in(interval(k));
+        // Where something crossed, all of them.
         const std::size_t steps =
-            bands_across(gap_above(k), spacing_above(k), steps_, at_saddle ? kLeastAtSaddle : 1,
-                         at_saddle ? steps_ : steps_in(interval(k)));
+            strand_.joins.contains(k + 1)
+                ? most
+                : bands_across(gap_above(k), spacing_above(k), steps_, at_saddle ? kLeastAtSaddle : 1, most);
         const bool is_gentle = strand_.is_terrain && !at_saddle && is_gentle_between(k);
         if ((join_ == Join::Sheet || (!join_ && is_gentle)) &&
             add_sheet({{&rings_[k], true}, {&rings_[k + 1], false}}, std::nullopt, group_))
