@@ -36,6 +36,11 @@ build/stratareeb section "$folder/fence" --through GBH06,GBH02,GBH01,GBH03 -o do
     --title "Sighthill, a fence through four boreholes" >/dev/null
 build/stratareeb section "$folder/fence" --at-z 46 -o docs/images/level.png --overwrite >/dev/null
 build/stratareeb map "$folder/fence" --show thickness --unit clay -o docs/images/map.png --overwrite >/dev/null
+for levels in 0 2; do  # before and after smoothing, side by side in docs/smooth_layers.md
+    build/stratareeb build examples/thesis_sample3.csv --refine $levels --quiet -o "$folder/smooth_$levels" >/dev/null
+    build/stratareeb section "$folder/smooth_$levels" --along 0,0,318,283 --exaggeration 1.5 --overwrite \
+        -o "docs/images/smooth_layers_$levels.png" --title "--refine $levels" >/dev/null
+done
 build/stratareeb refine examples/meshes/bracket.obj -o "$folder/bracket.ply" --levels 4 --limit \
     --crease-edges examples/meshes/bracket_creases.txt --picture docs/images/refine.png --overwrite >/dev/null
 
