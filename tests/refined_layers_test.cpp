@@ -67,8 +67,7 @@ void expect_true_to_control(const RefinedLayers& refined, const LayerModel& cont
     EXPECT_GT(refined.smoothness.thinnest, 0);
 }
 
-void expect_sound_refinement(std::uint64_t seed, int& refused) {
-    const Case c = random_case(seed);
+void expect_sound_refinement(const Case& c, int& refused) {
     const Survey survey = random_survey(c.survey);
     try {
         const LayerModel control = build_layer_model(survey, c.model);
@@ -100,11 +99,22 @@ TEST_P(RandomRefinements, are_watertight_conforming_ordered_and_through_their_co
     for (int k = 0; k < seeds && !HasFailure(); ++k) {
         const auto seed = static_cast<std::uint64_t>(GetParam() * seeds + k + 1);
         SCOPED_TRACE("seed " + std::to_string(seed));
-        expect_sound_refinement(seed, refused);
+        expect_sound_refinement(random_case(seed), refused);
     }
     EXPECT_LE(refused, 2 + seeds / 20);
 }
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomRefinements, ::testing::Range(0, 10));
+
+TEST(RefinedLayers, are_as_sound_at_levels_2_and_3) {
+    int refused = 0;
+    for (std::uint64_t seed = 501; seed <= 520 && !HasFailure(); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Case c = random_case(seed);
+        c.levels = seed % 5 == 0 ? 3 : 2;
+        expect_sound_refinement(c, refused);
+    }
+    EXPECT_LE(refused, 3);
+}
 
 Survey survey_of(TruthKind truth, std::size_t layers, HolePlan plan = HolePlan::Random) {
     RandomSurveyOptions options{.holes = 40, .layers = layers, .seed = 7};
@@ -222,6 +232,7 @@ struct Set {
     const char* name;
     std::string table, collars, unit = "m";
     double spacing = 0;
+    int levels = 1;
 };
 
 void expect_sound_set(const Set& set) {
@@ -233,8 +244,9 @@ void expect_sound_set(const Set& set) {
     options.ring_holes = true;
     if (set.spacing > 0) options.spacing = set.spacing;
     const LayerModel control = build_layer_model(survey, options);
-    const RefinedLayers refined = refine_layers(control, {.levels = 1});
+    const RefinedLayers refined = refine_layers(control, {.levels = set.levels});
     expect_sound(refined.model, survey);
+    EXPECT_GT(refined.smoothness.thinnest, 0);
     const auto& [low, high] = std::ranges::minmax(survey.holes, {}, [](const Borehole& h) { return h.at.x; });
     EXPECT_LE(refined.smoothness.largest_misfit, 1e-9 * (high.at.x - low.at.x));
     EXPECT_LE(misfit_of(refined.model, survey).max, 1e-9 * (high.at.x - low.at.x));
@@ -271,7 +283,11 @@ INSTANTIATE_TEST_SUITE_P(
         Set{"llobregat", "llobregat_delta/intervals.csv", "llobregat_delta/collars.csv", "m", 800},
         Set{"louisiana", "louisiana_north/intervals.csv", "louisiana_north/collars.csv", "m", 5000},
         Set{"bungendore", "bungendore/intervals.csv", "bungendore/collars.csv", "m", 400},
-        Set{"claudius", "points_models/claudius.csv", "", "m", 400}),
+        Set{"claudius", "points_models/claudius.csv", "", "m", 400},
+        Set{"thesis_1_level_3", "thesis/thesis_sample1_wide_noheader.csv", "", "m", 150, 3},
+        Set{"wigan_level_2", "ags_uk/wigan_depot/wide_noheader.csv", "", "m", 40, 2},
+        Set{"sighthill_level_2", "ags_uk/sighthill/intervals.csv", "ags_uk/sighthill/collars.csv", "m", 60,
+            2}),
     [](const auto& set) { return std::string(set.param.name); });
 
 }  // namespace
