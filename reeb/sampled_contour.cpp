@@ -14,7 +14,7 @@ namespace stratareeb {
 namespace {
 
 constexpr std::size_t kFewPoints = 96;
-constexpr double kShareOfWidth = 1.0 / 12;  // of a contour, which is twice its area over its length
+constexpr double kShareOfWidth = 1.0 / 6;  // of a contour, which is twice its area over its length
 
 const double kBelowOne = std::nextafter(1.0, 0.0);
 
@@ -145,7 +145,7 @@ std::vector<double> even_parameters(std::size_t n) {
 double point_spacing(std::span<const Point3> contour) {
     const double length = perimeter(contour),
                  spacing = length / static_cast<double>(std::max(contour.size(), kFewPoints));
-    return length > 0 ? std::min(spacing, kShareOfWidth * 2 * magnitude(area_vector(contour)) / length) : 0;
+    return length > 0 ? std::min(spacing, kShareOfWidth * magnitude(area_vector(contour)) / length) : 0;
 }
 
 std::size_t bands_across(double gap, double spacing, std::size_t steps, std::size_t least, std::size_t most) {

@@ -43,7 +43,7 @@ std::vector<double> even_parameters(std::size_t n);
 
 double perimeter(std::span<const Point3> points);
 
-//! How far a contour's points are from one another, but not more than a 96th of it or a 12th of its width: what is shorter doesn't show.
+//! How far a contour's points are from one another, but not more than a 96th of it or a 6th of its width: what is shorter doesn't show.
 double point_spacing(std::span<const Point3> contour);
 
 //! Lowest bands, of the spacing of points over the steps.
