@@ -5,17 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "boreholes/plan_box.h"
 #include "boreholes/point.h"
 
 namespace stratareeb {
-
-//! An upright box in plan.
-struct PlanBox {
-    Point2 low, high;
-    bool contains(const Point2& p) const {
-        return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y;
-    }
-};
 
 //! A site and its squared distance from where one asked.
 struct NearSite {

@@ -23,7 +23,7 @@ class CapProfile {
     double width(double x) const;
 
  private:
-    explicit CapProfile(HomotopyKind kind, double c, double flare) : kind_(kind), c_(c), flare_(flare) {}
+    CapProfile(HomotopyKind kind, double c, double flare) : kind_(kind), c_(c), flare_(flare) {}
 
     HomotopyKind kind_;  // Cardinal for a conic
     double c_;

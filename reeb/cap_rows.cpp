@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "reeb/cap_profile.h"
@@ -25,7 +26,9 @@ class CapRows {
           targets_(targets),
           strand_(strand),
           homotopy_(homotopy),
-          end_(base.is_top ? strand.top : strand.bottom) {}
+          end_(base.is_top ? strand.top : strand.bottom) {
+        if (strand.lean && end_.kind == Kind::Tip) edge_.emplace(*strand.lean);
+    }
 
     std::vector<SampledContour> run(std::size_t steps) const {
         const double node_z = end_.node.z;
@@ -46,7 +49,7 @@ class CapRows {
                 p = {target.x + width * (p.x - target.x), target.y + width * (p.y - target.y),
                      z + width * (p.z - base_.height)};
             }
-            if (end_.kind == Kind::Tip && strand_.lean) lean_over(row, x, z);
+            if (edge_) lean_over(row, x, z);
             rows.push_back(std::move(row));
         }
         return rows;
@@ -55,7 +58,7 @@ class CapRows {
  private:
     //! The lean of SlidingHomotopy, between a tip and a contour.
     void lean_over(SampledContour& row, double x, double z) const {
-        const Point3 own = mean_point(row), edge = MonotoneEdge(*strand_.lean).at(z);
+        const Point3 own = mean_point(row), edge = edge_->at(z);
         const double weight = sliding_weight(x);
         for (Point3& p : row.points) p = p + Point3{weight * (edge.x - own.x), weight * (edge.y - own.y), 0};
     }
@@ -85,6 +88,7 @@ class CapRows {
     const Strand& strand_;
     const ContourHomotopy* homotopy_;
     const StrandEnd& end_;
+    std::optional<MonotoneEdge> edge_;  // to lean along
 };
 
 }  // namespace

@@ -15,14 +15,6 @@ namespace {
 
 constexpr std::size_t kDistanceSamples = 256;  // of a contour, for the mean distance to the next
 
-double mean_distance(const SampledContour& a, const SampledContour& b) {
-    const auto s = even_parameters(kDistanceSamples);
-    const auto p = points_at(a, s), q = points_at(b, s);
-    double sum = 0;
-    for (std::size_t i = 0; i < s.size(); ++i) sum += magnitude(q[i] - p[i]);
-    return sum / static_cast<double>(s.size());
-}
-
 std::vector<double> places_of(const std::vector<double>& heights, const HeightScale& scale) {
     std::vector<double> places;
     for (const double height : heights) places.push_back(scale.place(height));
@@ -165,7 +157,9 @@ ContourHomotopy horizontal_homotopy(std::vector<SampledContour> contours, const 
                             i, p.z, z));
         }
         levels.push_back(z);
-        places.push_back(i == 0 ? 0 : places.back() + mean_distance(contours[i - 1], contours[i]));
+        places.push_back(i == 0 ? 0
+                                : places.back() + mean_distance(contours[i - 1], contours[i],
+                                                                even_parameters(kDistanceSamples)));
     }
     return {std::move(contours), std::move(places), std::move(levels), options};
 }

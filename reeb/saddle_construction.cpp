@@ -13,6 +13,7 @@
 
 #include "boreholes/errors.h"
 #include "mesh/ring_crossings.h"
+#include "reeb/band_count.h"
 #include "reeb/contour_touches.h"
 #include "reeb/critical_bouquet.h"
 #include "reeb/guiding_curve.h"

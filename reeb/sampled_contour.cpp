@@ -7,14 +7,10 @@
 #include <cmath>
 
 #include "boreholes/errors.h"
-#include "reeb/correspondence.h"
 #include "reeb/point_math.h"
 
 namespace stratareeb {
 namespace {
-
-constexpr std::size_t kFewPoints = 96;
-constexpr double kShareOfWidth = 1.0 / 6;  // of a contour, which is twice its area over its length
 
 const double kBelowOne = std::nextafter(1.0, 0.0);
 
@@ -136,22 +132,17 @@ Point3 mean_point(const SampledContour& contour) {
     return start + sum;
 }
 
+double mean_distance(const SampledContour& a, const SampledContour& b, std::span<const double> s) {
+    const auto p = points_at(a, s), q = points_at(b, s);
+    double sum = 0;
+    for (std::size_t i = 0; i < s.size(); ++i) sum += magnitude(q[i] - p[i]);
+    return sum / static_cast<double>(s.size());
+}
+
 std::vector<double> even_parameters(std::size_t n) {
     std::vector<double> result(n);
     for (std::size_t i = 0; i < n; ++i) result[i] = static_cast<double>(i) / static_cast<double>(n);
     return result;
-}
-
-double point_spacing(std::span<const Point3> contour) {
-    const double length = perimeter(contour),
-                 spacing = length / static_cast<double>(std::max(contour.size(), kFewPoints));
-    return length > 0 ? std::min(spacing, kShareOfWidth * magnitude(area_vector(contour)) / length) : 0;
-}
-
-std::size_t bands_across(double gap, double spacing, std::size_t steps, std::size_t least, std::size_t most) {
-    const double lowest = kLowestBand / static_cast<double>(steps) * spacing;
-    if (!(gap < lowest * static_cast<double>(most))) return std::max(least, most);
-    return std::max(least, static_cast<std::size_t>(std::ceil(gap / lowest)));
 }
 
 }  // namespace stratareeb

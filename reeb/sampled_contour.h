@@ -38,19 +38,12 @@ SampledContour with_short_sides(const SampledContour& contour, double most);
 //! The mean over s in [0, 1]: with parameters by perimeter, the centre of the line (not of the area it encloses).
 Point3 mean_point(const SampledContour& contour);
 
+//! The mean distance between the points of two contours at these parameters, one at least.
+double mean_distance(const SampledContour& a, const SampledContour& b, std::span<const double> s);
+
 //! 0, 1/n, ..., (n - 1)/n.
 std::vector<double> even_parameters(std::size_t n);
 
 double perimeter(std::span<const Point3> points);
-
-//! How far a contour's points are from one another, but not more than a 96th of it or a 6th of its width: what is shorter doesn't show.
-double point_spacing(std::span<const Point3> contour);
-
-//! Lowest bands, of the spacing of points over the steps.
-inline constexpr double kLowestBand = 3;
-
-//! Bands between two contours, or a contour and a point, that are `gap` apart: no more than `most`, and, from `least` on, none lower than
-//! kLowestBand / steps of the spacing of their points, half of it for six steps: lower ones would show nothing.
-std::size_t bands_across(double gap, double spacing, std::size_t steps, std::size_t least, std::size_t most);
 
 }  // namespace stratareeb

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reeb/band_count.h"
 #include "reeb/cap_profile.h"
 #include "reeb/cap_rows.h"
 #include "reeb/contour_alignment.h"
@@ -214,11 +215,8 @@ class StrandBuilder {
 
     //! The mean distance from a ring to the next.
     double gap_above(std::size_t k) const {
-        const SampledContour &low = rings_[k].shape, &high = rings_[k + 1].shape;
-        const auto across = points_at(high, low.parameters);
-        double sum = 0;
-        for (std::size_t i = 0; i < across.size(); ++i) sum += magnitude(across[i] - low.points[i]);
-        return sum / static_cast<double>(across.size());
+        const SampledContour& low = rings_[k].shape;
+        return mean_distance(low, rings_[k + 1].shape, low.parameters);
     }
     double spacing_above(std::size_t k) const {
         return std::min(point_spacing(rings_[k].shape.points), point_spacing(rings_[k + 1].shape.points));

@@ -69,6 +69,12 @@ std::vector<double> CubicKnots::greville() const {
     return result;
 }
 
+CubicKnots CubicKnots::part(double low, double high) const {
+    const auto first = breaks_.begin();
+    return CubicKnots({first + static_cast<std::ptrdiff_t>(span(low)),
+                       first + static_cast<std::ptrdiff_t>(span(high)) + 2});
+}
+
 CubicKnots CubicKnots::refined(const std::vector<char>& halve) const {
     std::vector<double> breaks;
     for (std::size_t i = 0; i < spans(); ++i) {

@@ -40,6 +40,9 @@ class CubicKnots {
     //! Coefficients that reproduce the identity t -> t: the means of each three consecutive knots.
     std::vector<double> greville() const;
 
+    //! The spans that an interval reaches into.
+    CubicKnots part(double low, double high) const;
+
     //! The same with the marked spans halved.
     CubicKnots refined(const std::vector<char>& halve) const;
 

@@ -20,20 +20,10 @@ constexpr int kMostSweeps = 20;
 constexpr double kSwing = 2;  // times as far off: nearer limits do more harm than good
 
 PlanBox around(const HeightSamples& samples) {
-    PlanBox r{INFINITY, -INFINITY, INFINITY, -INFINITY};
+    PlanBox box = kEmptyPlanBox;
     for (const auto* part : {&samples.inside, &samples.border})
-        for (const auto& s : *part) {
-            r.x0 = std::min(r.x0, s.at.x), r.x1 = std::max(r.x1, s.at.x);
-            r.y0 = std::min(r.y0, s.at.y), r.y1 = std::max(r.y1, s.at.y);
-        }
-    return r;
-}
-
-// The spans that an interval reaches into.
-CubicKnots over(const CubicKnots& knots, double low, double high) {
-    const auto breaks = knots.breaks().begin();
-    return CubicKnots({breaks + static_cast<std::ptrdiff_t>(knots.span(low)),
-                       breaks + static_cast<std::ptrdiff_t>(knots.span(high)) + 2});
+        for (const auto& s : *part) box.include(s.at);
+    return box;
 }
 
 class HeightFitter {
@@ -48,7 +38,7 @@ class HeightFitter {
 
     HeightFit fit() {
         const PlanBox r = around(samples_);
-        HeightFit result{{over(options_.x, r.x0, r.x1), over(options_.y, r.y0, r.y1), {}}};
+        HeightFit result{{options_.x.part(r.low.x, r.high.x), options_.y.part(r.low.y, r.high.y), {}}};
         while (true) {
             SplineEquations equations(result.patch.x, result.patch.y);
             set_up(equations, result.patch);
@@ -92,8 +82,8 @@ class HeightFitter {
         const std::size_t ny = patch.y.spans();
         std::vector<char> covered(patch.x.spans() * ny, 0);
         for (const PlanBox& box : samples_.covered)
-            for (std::size_t i = patch.x.span(box.x0); i <= patch.x.span(box.x1); ++i)
-                for (std::size_t j = patch.y.span(box.y0); j <= patch.y.span(box.y1); ++j)
+            for (std::size_t i = patch.x.span(box.low.x); i <= patch.x.span(box.high.x); ++i)
+                for (std::size_t j = patch.y.span(box.low.y); j <= patch.y.span(box.high.y); ++j)
                     covered[i * ny + j] = 1;
         for (std::size_t k = 0; k < covered.size(); ++k)
             if (!covered[k]) equations.add_bending_of_span(k / ny, k % ny, factor);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "boreholes/plan_box.h"
 #include "boreholes/point.h"
 #include "subdivision/cubic_knots.h"
 
@@ -46,10 +47,6 @@ struct HeightFit {
     HeightPatch patch;
     double off_inside = 0, off_border = 0;  // largest distance at samples
     std::vector<char> held;                 // [coefficient] whether it is at its limit; empty without limits
-};
-
-struct PlanBox {
-    double x0, x1, y0, y1;
 };
 
 struct HeightSamples {

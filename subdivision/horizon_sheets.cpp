@@ -92,16 +92,6 @@ class Fitter {
         return {(p.x + q.x + r.x) / 3, (p.y + q.y + r.y) / 3};
     }
 
-    PlanBox box(std::uint32_t face) const {
-        PlanBox box{INFINITY, -INFINITY, INFINITY, -INFINITY};
-        for (const auto v : corners(face)) {
-            const Point2 p = point(v);
-            box = {std::min(box.x0, p.x), std::max(box.x1, p.x), std::min(box.y0, p.y),
-                   std::max(box.y1, p.y)};
-        }
-        return box;
-    }
-
     double area(std::uint32_t face) const { return plan_.calc_face_area(plan_.face_handle(face)); }
 
     // Edges along which a body ends: its base meets a sheet further up there.
@@ -133,7 +123,7 @@ class Fitter {
         const double tolerance = options_.tolerance * size_;
         for (const auto f : faces) {
             const Corners c = corners(f);
-            samples.covered.push_back(box(f));
+            samples.covered.push_back(box_of(plan_, f));
             for (const auto v : c) share[v] += area(f) / 6;
             samples.inside.push_back(
                 {centre(c), (ground[c[0]] + ground[c[1]] + ground[c[2]]) / 3, area(f) / 2, tolerance});
@@ -169,7 +159,7 @@ class Fitter {
     struct Top {
         std::uint32_t sheet;
         double share = 0;  // of the plan area
-        double x0 = INFINITY, x1 = -INFINITY, y0 = INFINITY, y1 = -INFINITY;
+        PlanBox box = kEmptyPlanBox;
     };
 
     // Those over most of the body first.
@@ -179,24 +169,13 @@ class Fitter {
             Top& top = by_sheet.try_emplace(result_.of_cell[c], Top{result_.of_cell[c]}).first->second;
             for (const auto f : cells_.cells[c].faces) {
                 top.share += area(f) / body_area;
-                for (const auto v : corners(f)) {
-                    const Point2 p = point(v);
-                    top.x0 = std::min(top.x0, p.x), top.x1 = std::max(top.x1, p.x);
-                    top.y0 = std::min(top.y0, p.y), top.y1 = std::max(top.y1, p.y);
-                }
+                for (const auto v : corners(f)) top.box.include(point(v));
             }
         }
         std::vector<Top> tops;
         for (const auto& [sheet, top] : by_sheet) tops.push_back(top);
         std::ranges::stable_sort(tops, std::greater{}, &Top::share);
         return tops;
-    }
-
-    // The spans of knots that an interval reaches into.
-    static CubicKnots part_of(const CubicKnots& knots, double low, double high) {
-        const auto breaks = knots.breaks().begin();
-        return CubicKnots({breaks + static_cast<std::ptrdiff_t>(knots.span(low)),
-                           breaks + static_cast<std::ptrdiff_t>(knots.span(high)) + 2});
     }
 
     // Spans of the sheets above are kept, so that the base of a thin layer can follow its top in all detail: all are
@@ -209,8 +188,8 @@ class Fitter {
         CubicKnots x = first_x_, y = first_y_;
         for (const auto& top : tops) {
             const HeightPatch& sheet = result_.sheets[top.sheet];
-            const CubicKnots more_x = joined(x, part_of(sheet.x, top.x0, top.x1)),
-                             more_y = joined(y, part_of(sheet.y, top.y0, top.y1));
+            const CubicKnots more_x = joined(x, sheet.x.part(top.box.low.x, top.box.high.x)),
+                             more_y = joined(y, sheet.y.part(top.box.low.y, top.box.high.y));
             const std::size_t functions = more_x.functions() * more_y.functions();
             if (functions > (top.share < kMuchOfTop ? most : kMostOfTops * options_.most_functions)) continue;
             x = more_x;
@@ -291,7 +270,7 @@ class Fitter {
         const auto& body = cells_.bodies[b];
         BaseSamples base;
         for (const auto f : body.faces) {
-            base.samples.covered.push_back(box(f));
+            base.samples.covered.push_back(box_of(plan_, f));
             for (const auto v : corners(f)) base.volume += area(f) * thickness(body, v) / 3;
             base.area += area(f);
         }

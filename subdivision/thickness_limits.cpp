@@ -11,16 +11,6 @@
 namespace stratareeb {
 namespace {
 
-PlanBox box_of(const TriMesh& plan, std::uint32_t face) {
-    PlanBox box{INFINITY, -INFINITY, INFINITY, -INFINITY};
-    for (const auto v : plan.fv_range(plan.face_handle(face))) {
-        const auto& p = plan.point(v);
-        box.x0 = std::min(box.x0, p[0]), box.x1 = std::max(box.x1, p[0]);
-        box.y0 = std::min(box.y0, p[1]), box.y1 = std::max(box.y1, p[1]);
-    }
-    return box;
-}
-
 // A B-spline's inner three knots, which its coefficient depends on.
 std::array<double, 3> inner_knots(const CubicKnots& knots, std::size_t function) {
     const auto& breaks = knots.breaks();
@@ -124,7 +114,7 @@ class Limits {
     }
 
     void add_end(const Point2& p) {
-        each_over({p.x, p.x, p.y, p.y}, [&](Function& f, std::size_t, std::size_t) { f.at_end = true; });
+        each_over({p, p}, [&](Function& f, std::size_t, std::size_t) { f.at_end = true; });
     }
 
     std::vector<double> limits(double share) const {
@@ -143,8 +133,8 @@ class Limits {
 
     template <typename Visit>
     void each_over(const PlanBox& box, const Visit& visit) {
-        for (std::size_t i = x_.span(box.x0); i <= x_.span(box.x1) + 3; ++i)
-            for (std::size_t j = y_.span(box.y0); j <= y_.span(box.y1) + 3; ++j)
+        for (std::size_t i = x_.span(box.low.x); i <= x_.span(box.high.x) + 3; ++i)
+            for (std::size_t j = y_.span(box.low.y); j <= y_.span(box.high.y) + 3; ++j)
                 visit(functions_[i * y_.functions() + j], i, j);
     }
 
@@ -154,6 +144,13 @@ class Limits {
 };
 
 }  // namespace
+
+PlanBox box_of(const TriMesh& plan, std::uint32_t face) {
+    PlanBox box = kEmptyPlanBox;
+    for (const auto v : plan.fv_range(plan.face_handle(face)))
+        box.include({plan.point(v)[0], plan.point(v)[1]});
+    return box;
+}
 
 std::vector<double> limits_below_top(const CubicKnots& x, const CubicKnots& y, const TriMesh& plan,
                                      const std::vector<ThicknessSample>& samples,

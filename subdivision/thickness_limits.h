@@ -3,10 +3,14 @@
 
 #include <vector>
 
+#include "boreholes/plan_box.h"
 #include "mesh/tri_mesh.h"
 #include "subdivision/height_patch.h"
 
 namespace stratareeb {
+
+//! Of a triangle of the plan.
+PlanBox box_of(const TriMesh& plan, std::uint32_t face);
 
 //! A triangle of a body's part of the plan.
 struct ThicknessSample {

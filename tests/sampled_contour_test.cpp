@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "boreholes/errors.h"
+#include "reeb/band_count.h"
 #include "tests/curve_cases.h"
 
 namespace stratareeb {
