@@ -66,6 +66,29 @@ Sharp refined_sharp(const Sharp& coarse, const LoopLevel& fine, const FieldCreas
     return sharp;
 }
 
+constexpr double kLoopFar = 0.375;
+
+std::uint32_t other_end(const LoopLevel& level, const LeaningEdge& e) {
+    const auto [a, b] = level.ends[e.edge];
+    return a == e.vertex ? b : a;
+}
+
+//! The halves at their vertices.
+std::vector<LeaningEdge> refined_leaning(std::vector<LeaningEdge> leaning, const LoopLevel& fine) {
+    for (LeaningEdge& e : leaning) {
+        const auto [a, b] = fine.ends[2 * e.edge];
+        e.edge = 2 * e.edge + (a == e.vertex || b == e.vertex ? 0 : 1);
+    }
+    return leaning;
+}
+
+//! What a leaning edge adds to the smooth limit of its other end. There its new vertex enters with the weight of a
+//! neighbour, and from the next level on it is an edge like any other.
+double leaning_limit_weight(const LoopLevel& level, const LeaningEdge& e, const Sharp& sharp) {
+    const std::uint32_t u = other_end(level, e);
+    return sharp.count[u] < 2 ? tabulated<smooth_limit_weight>(level.valence[u]) * (kLoopFar - e.far) : 0;
+}
+
 //! Vertices on a crease get `own` times their value and the rest from their two neighbours along it.
 void set_crease_vertices(std::vector<double>& result, const std::vector<double>& x, const LoopLevel& level,
                          const Sharp& sharp, double own) {
@@ -105,7 +128,8 @@ std::vector<double> averaged(const LoopLevel& level, const Sharp& sharp,
 }
 
 std::vector<double> next_values(const LoopLevel& level, const Sharp& sharp,
-                                const std::vector<std::uint32_t>& corners, const std::vector<double>& x) {
+                                const std::vector<std::uint32_t>& corners,
+                                const std::vector<LeaningEdge>& leaning, const std::vector<double>& x) {
     std::vector<double> fine = averaged<smooth_weight>(level, sharp, corners, x, 0.75);
     fine.resize(x.size() + level.ends.size());
     double* middle = fine.data() + x.size();
@@ -115,6 +139,8 @@ std::vector<double> next_values(const LoopLevel& level, const Sharp& sharp,
         middle[e] =
             d == LoopLevel::kNone ? 0.5 * (x[a] + x[b]) : 0.375 * (x[a] + x[b]) + 0.125 * (x[c] + x[d]);
     }
+    for (const LeaningEdge& e : leaning)
+        middle[e.edge] += (kLoopFar - e.far) * (x[e.vertex] - x[other_end(level, e)]);
     for (const std::uint32_t e : sharp.edges) middle[e] = 0.5 * (x[level.ends[e][0]] + x[level.ends[e][1]]);
     return fine;
 }
@@ -122,12 +148,20 @@ std::vector<double> next_values(const LoopLevel& level, const Sharp& sharp,
 std::vector<double> evaluated(const LoopTopology& topology, const FieldCreases& creases,
                               std::vector<double> values, bool on_limit) {
     Sharp sharp = control_sharp(topology.level(0), creases);
+    std::vector<LeaningEdge> leaning;
     for (int k = 0; k < topology.levels(); ++k) {
-        values = next_values(topology.level(k), sharp, creases.corners, values);
+        values = next_values(topology.level(k), sharp, creases.corners, leaning, values);
         sharp = refined_sharp(sharp, topology.level(k + 1), creases);
+        leaning = refined_leaning(k == 0 ? creases.leaning : std::move(leaning), topology.level(k + 1));
     }
     if (!on_limit) return values;
-    return averaged<smooth_limit_weight>(topology.finest(), sharp, creases.corners, values, 2.0 / 3);
+    const LoopLevel& finest = topology.finest();
+    auto limit = averaged<smooth_limit_weight>(finest, sharp, creases.corners, values, 2.0 / 3);
+    for (const LeaningEdge& e : leaning) {
+        const std::uint32_t u = other_end(finest, e);
+        limit[u] += leaning_limit_weight(finest, e, sharp) * (values[e.vertex] - values[u]);
+    }
+    return limit;
 }
 
 }  // namespace

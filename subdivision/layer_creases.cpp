@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "subdivision/leaning_edges.h"
+
 namespace stratareeb {
 
 namespace {
@@ -148,6 +150,7 @@ LayerCreases layer_creases(const LayerModel& model, FieldCreases plan) {
         FieldCreases own;
         own.edges = merged(creases.plan.edges, lines[i]);
         own.corners = merged(creases.plan.corners, zero_corners(model, i, own.edges));
+        own.leaning = leaning_edges(model, i, creases.plan);
         creases.thickness.push_back(std::move(own));
     }
     return creases;
@@ -175,15 +178,18 @@ FieldCreases without_edges(const LayerModel& model, const LayerCreases& creases,
     FieldCreases result;
     std::ranges::set_difference(full.edges, edges, std::back_inserter(result.edges));
     result.edges = merged(result.edges, plan.edges);
-    std::vector<char> let_go(mesh.n_vertices(), 0);
-    const auto ends = [&](std::uint32_t e, char value) {
+    std::vector<char> at_gone(mesh.n_vertices(), 0), let_go(mesh.n_vertices(), 0);
+    const auto flag = [&](std::vector<char>& flags, std::uint32_t e, char value) {
         const Halfedge h = mesh.halfedge_handle(Edge(static_cast<int>(e)), 0);
         for (const Vertex v : {mesh.from_vertex_handle(h), mesh.to_vertex_handle(h)})
-            let_go[index(v)] = value;
+            flags[index(v)] = value;
     };
-    for (const std::uint32_t e : edges) ends(e, 1);
+    for (const std::uint32_t e : edges) flag(at_gone, e, 1);
+    let_go = at_gone;
     for (const std::uint32_t e : result.edges)
-        if (ending_at(model, Edge(static_cast<int>(e)))[layer]) ends(e, 0);
+        if (ending_at(model, Edge(static_cast<int>(e)))[layer]) flag(let_go, e, 0);
+    for (const LeaningEdge& e : full.leaning)
+        if (!at_gone[e.vertex]) result.leaning.push_back(e);
     for (const std::uint32_t v : full.corners)
         if (!let_go[v] || std::ranges::binary_search(plan.corners, v)) result.corners.push_back(v);
     return result;

@@ -21,7 +21,7 @@ struct LayerCreases {
 FieldCreases plan_creases(const LayerModel& model);
 
 //! Thickness has a crease along the edges between triangles with the layer and without, and a corner where it
-//! would not stay 0 otherwise.
+//! would not stay 0 otherwise; around vertices where that line has a kink its edges lean towards 0.
 LayerCreases layer_creases(const LayerModel& model, FieldCreases plan);
 
 //! A layer that ends bends every horizon below along its pinch-out line. The first layer below that is there on
@@ -37,7 +37,8 @@ struct Handover {
 //! The handovers along one layer's pinch-out line, by edge.
 std::vector<Handover> handovers(const LayerModel& model, std::size_t layer);
 
-//! A layer's creases without those edges of its pinch-out line, and without corners that stood on them alone.
+//! A layer's creases without those edges of its pinch-out line, and without corners that stood on them alone and edges that
+//! leaned at their ends.
 FieldCreases without_edges(const LayerModel& model, const LayerCreases& creases, std::size_t layer,
                            const std::vector<std::uint32_t>& edges);
 
