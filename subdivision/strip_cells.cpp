@@ -7,14 +7,12 @@
 
 #include "boreholes/errors.h"
 #include "mesh/point_in_ring.h"
+#include "subdivision/strip_lines.h"
 
 namespace stratareeb {
 namespace {
 
 constexpr std::uint32_t kNone = PlanCells::kNone;
-constexpr std::size_t kMostStrips = 16;  // of a sheet
-constexpr double kClear = 0.08;          // of a span: how far a line stays from corners and turns of edges
-constexpr double kApart = 0.3;           // of a span: how far from lines of other sheets
 constexpr int kSamplesASpan = 8;
 constexpr double kSameBreak = 1e-6;  // of a curve's length
 
@@ -48,12 +46,12 @@ SplineCurve part_of(const SplineCurve& curve, double from, double to) {
 
 class Cutter {
  public:
-    Cutter(SmoothBrep& brep, const std::vector<char>& sheets, std::size_t spans)
-        : brep_(brep), cells_(brep.cells), is_cut_(sheets), spans_(spans) {}
+    Cutter(SmoothBrep& brep, std::vector<std::vector<double>> lines)
+        : brep_(brep), cells_(brep.cells), lines_(std::move(lines)) {}
 
     void cut() {
-        lay_lines();
         split_edges();
+        brep_.cuts.resize(lines_.size());
         for (std::size_t s = 0; s < lines_.size(); ++s)
             brep_.cuts[s].insert(brep_.cuts[s].end(), lines_[s].begin(), lines_[s].end());
         const std::size_t cells = cells_.cells.size();
@@ -66,81 +64,6 @@ class Cutter {
 
  private:
     std::uint32_t sheet_of(std::uint32_t cell) const { return brep_.horizons.of_cell[cell]; }
-
-    // Lines of each sheet, so that no strip has too many spans.
-    void lay_lines() {
-        const std::size_t sheets = brep_.horizons.sheets.size();
-        lines_.resize(sheets);
-        brep_.cuts.resize(sheets);
-        for (const auto& cuts : brep_.cuts) all_lines_.insert(all_lines_.end(), cuts.begin(), cuts.end());
-        std::vector<std::vector<double>> places(
-            sheets);  // where lines must not be: corners and turns of edges
-        std::vector<double> low(sheets, INFINITY), high(sheets, -INFINITY);
-        for (std::uint32_t c = 0; c < cells_.cells.size(); ++c)
-            for (const auto& loop : cells_.cells[c].loops)
-                for (const auto& use : loop) {
-                    auto& here = places[sheet_of(c)];
-                    add_turns(brep_.edges[use.edge].curve, here);
-                    const auto [l, h] = std::ranges::minmax(brep_.edges[use.edge].curve.coefficients[0]);
-                    low[sheet_of(c)] = std::min(low[sheet_of(c)], l);
-                    high[sheet_of(c)] = std::max(high[sheet_of(c)], h);
-                }
-        for (std::uint32_t s = 0; s < sheets; ++s)
-            if (is_cut_[s] && low[s] < high[s]) lay_lines_of(s, low[s], high[s], places[s]);
-    }
-
-    static void add_turns(const SplineCurve& curve, std::vector<double>& places) {
-        const auto& breaks = curve.knots.breaks();
-        places.push_back(curve.at(0, breaks.front()));
-        double last = places.back(), direction = 0;
-        for (std::size_t s = 0; s + 1 < breaks.size(); ++s)
-            for (int k = 1; k <= kSamplesASpan; ++k) {
-                const double x = curve.at(0, std::lerp(breaks[s], breaks[s + 1], k / double(kSamplesASpan)));
-                if ((x - last) * direction < 0) places.push_back(last);
-                direction = x - last;
-                last = x;
-            }
-        places.push_back(last);
-    }
-
-    void lay_lines_of(std::uint32_t s, double low, double high, const std::vector<double>& places) {
-        const CubicKnots& knots = brep_.horizons.sheets[s].x;
-        const std::size_t first = knots.span(low), last = knots.span(high), spans = last - first + 1;
-        const std::size_t strips = std::min((spans + spans_ - 1) / spans_, kMostStrips);
-        for (std::size_t k = 1; k < strips; ++k) {
-            const std::size_t target = first + k * spans / strips;
-            const double at = knots.breaks()[target];
-            const double half = (knots.breaks()[std::min(target + spans_ / 2, knots.spans())] -
-                                 knots.breaks()[target - std::min(target, spans_ / 2)]) /
-                                2;
-            if (std::ranges::any_of(brep_.cuts[s], [&](double x) { return std::abs(x - at) < half; }))
-                continue;
-            const double span = std::min(knots.breaks()[target + 1] - at, at - knots.breaks()[target - 1]);
-            const double line = clear_line(at, span, places);
-            if (std::isnan(line) || line <= low || line >= high) continue;
-            if (!lines_[s].empty() && !(line > lines_[s].back())) continue;
-            if (std::ranges::find(brep_.cuts[s], line) != brep_.cuts[s].end()) continue;
-            lines_[s].push_back(line);
-            if (std::ranges::find(all_lines_, line) == all_lines_.end()) all_lines_.push_back(line);
-        }
-    }
-
-    // A line of another sheet near a place if there is one, else a new one; none if there is no room.
-    double clear_line(double at, double span, const std::vector<double>& places) const {
-        const auto is_clear = [&](double x, const std::vector<double>& from, double by) {
-            return std::ranges::none_of(from, [&](double p) { return std::abs(p - x) < by * span; });
-        };
-        double best = NAN;
-        for (const double x : all_lines_)
-            if (std::abs(x - at) < 2 * span && is_clear(x, places, kClear) &&
-                !(std::abs(best - at) <= std::abs(x - at)))
-                best = x;
-        if (!std::isnan(best)) return best;
-        for (const double by : {0.0, 0.2, -0.2, 0.4, -0.4, 0.6, -0.6, 0.8, -0.8})
-            if (is_clear(at + by * span, places, kClear) && is_clear(at + by * span, all_lines_, kApart))
-                return at + by * span;
-        return NAN;
-    }
 
     void split_edges() {
         const std::size_t count = cells_.edges.size();
@@ -406,10 +329,7 @@ class Cutter {
 
     SmoothBrep& brep_;
     PlanCells& cells_;
-    const std::vector<char>& is_cut_;  // [sheet]
-    std::size_t spans_;
-    std::vector<std::vector<double>> lines_;  // [sheet] ascending
-    std::vector<double> all_lines_;
+    std::vector<std::vector<double>> lines_;         // [sheet] ascending
     std::vector<std::vector<Crossing>> crossings_;   // [edge]
     std::vector<std::vector<std::uint32_t>> parts_;  // [edge] in its direction
     std::map<std::uint32_t, double> line_of_;        // of corners on lines
@@ -418,7 +338,7 @@ class Cutter {
 }  // namespace
 
 void cut_into_strips(SmoothBrep& brep, const std::vector<char>& sheets, std::size_t spans) {
-    Cutter(brep, sheets, spans).cut();
+    Cutter(brep, strip_lines(brep, sheets, spans)).cut();
     measure_edges(brep);
 }
 
