@@ -21,8 +21,9 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 // Weights: limits at their given places (on pinch-out lines; elsewhere) against a fair parametrisation. The less they
 // count, the better the triangles; predictions are taken where vertices come to lie.
 constexpr double kToLine = 0.5, kToPlace = 0.01, kFairness = 1;
-constexpr double kFairer = 20;       // times the fairness around folds and flat triangles, once a round
-constexpr int kFairRounds = 2;       // then what still folds stays linear
+constexpr double kFairer = 20;       // times the fairness around folds and flat triangles, in the first round
+constexpr double kTruer = 30;        // times the weight of given places there, in each round after it
+constexpr int kTrueRounds = 3;       // then what still folds in the best of all rounds stays linear
 constexpr double kTolerance = 1e-6;  // nobody sees more of how fair a plan is
 constexpr int kMostRounds = 100;
 // Twice the area over the sum of squared sides (0.29 at most): below it a triangle is flat, if it came from one above.
@@ -40,24 +41,51 @@ class PlanFit {
         find_lines(model.regions);
         umbrella_ = umbrella_rows(mesh_);
         fairness_.assign(umbrella_.vertex.size(), kFairness);
+        truth_.assign(mesh_.n_vertices(), 1.0);
         is_linear_.assign(mesh_.n_faces(), 0);
     }
 
     PlanLimit run() {
-        for (int round = 0;; ++round) {
-            solve();
-            const bool is_last = round >= kFairRounds;
-            const std::vector<std::size_t> bad = bad_triangles(is_last ? 0 : kFlat);
-            if (bad.empty()) return std::move(plan_);
-            if (!is_last)
-                make_fairer(bad);
-            else
-                make_linear(bad, round > kFairRounds + 1);
+        solve();
+        std::vector<std::size_t> folded = unfold();
+        for (int round = 0; !folded.empty(); ++round) {
             if (round == kMostRounds) throw GeometryError("the refined plan folds over");
+            make_linear(folded, round > 1);
+            solve();
+            folded = bad_triangles(0);
         }
+        return std::move(plan_);
     }
 
  private:
+    //! What a fit depends on, and what came of it.
+    struct Attempt {
+        std::vector<double> fairness, truth;
+        PlanLimit plan;
+        std::vector<std::size_t> folded;
+    };
+
+    //! Where triangles fold or are flat, a fairer plan is tried, then one that keeps closer to the given places, which do not fold.
+    //! \return triangles that fold all the same
+    std::vector<std::size_t> unfold() {
+        Attempt best{fairness_, truth_, plan_, bad_triangles(0)};
+        for (int round = 0; round <= kTrueRounds; ++round) {
+            const std::vector<std::size_t> bad = bad_triangles(kFlat);
+            if (bad.empty()) return {};
+            if (round == 0)
+                make_fairer(bad);
+            else
+                make_truer(bad);
+            solve();
+            std::vector<std::size_t> folded = bad_triangles(0);
+            if (folded.size() <= best.folded.size()) best = {fairness_, truth_, plan_, std::move(folded)};
+        }
+        fairness_ = std::move(best.fairness);
+        truth_ = std::move(best.truth);
+        plan_ = std::move(best.plan);
+        return std::move(best.folded);
+    }
+
     void find_lines(const LayerRegions& regions) {
         for (const auto e : mesh_.edges()) {
             if (mesh_.is_boundary(e)) continue;
@@ -79,6 +107,7 @@ class PlanFit {
         setup.fairness_weight = fairness_;
         setup.weight.assign(mesh_.n_vertices(), kToPlace);
         for (const auto v : on_line_) setup.weight[v] = kToLine;
+        for (std::size_t v = 0; v < truth_.size(); ++v) setup.weight[v] *= truth_[v];
         setup.fixed.assign(mesh_.n_vertices(), 0);
         for (const auto v : mesh_.vertices())
             if (mesh_.is_boundary(v)) setup.fixed[static_cast<std::size_t>(v.idx())] = 1;
@@ -173,6 +202,14 @@ class PlanFit {
             if (near[umbrella_.vertex[r]]) fairness_[r] *= kFairer;
     }
 
+    void make_truer(const std::vector<std::size_t>& folded) {
+        const std::vector<char> near = corners_of(folded);
+        for (std::size_t r = 0; r < fairness_.size(); ++r)
+            if (near[umbrella_.vertex[r]]) fairness_[r] = kFairness;
+        for (std::size_t v = 0; v < truth_.size(); ++v)
+            if (near[v]) truth_[v] *= kTruer;
+    }
+
     //! With sharp corners and edges a triangle's limit is the triangle itself.
     void make_linear(const std::vector<std::size_t>& folded, bool widen) {
         const std::vector<char> near = corners_of(folded);
@@ -202,7 +239,7 @@ class PlanFit {
     std::vector<double> given_x_, given_y_;
     std::vector<std::uint32_t> on_line_;
     FairnessRows umbrella_;
-    std::vector<double> fairness_;
+    std::vector<double> fairness_, truth_;  // by row; by vertex, times its weight
     std::vector<char> is_linear_;
     PlanLimit plan_;
 };

@@ -20,7 +20,7 @@ struct PlanLimit {
 
 //! Control values of x and y whose limit has every hole at its place and all other vertices close to theirs, keeps
 //! corners and straight sides of the outline, and does not fold: the triangles of the finest level are left turns (exact
-//! predicates). Where they would fold the plan is made fairer, and where that does not help it stays linear.
+//! predicates). Where they would fold the plan is made fairer, then truer to the given places, and where neither helps it stays linear.
 PlanLimit plan_limit(const LayerModel& model, const LoopTopology& topology);
 
 }  // namespace stratareeb
