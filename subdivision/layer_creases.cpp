@@ -181,8 +181,7 @@ FieldCreases without_edges(const LayerModel& model, const LayerCreases& creases,
     std::vector<char> at_gone(mesh.n_vertices(), 0), let_go(mesh.n_vertices(), 0);
     const auto flag = [&](std::vector<char>& flags, std::uint32_t e, char value) {
         const Halfedge h = mesh.halfedge_handle(Edge(static_cast<int>(e)), 0);
-        for (const Vertex v : {mesh.from_vertex_handle(h), mesh.to_vertex_handle(h)})
-            flags[index(v)] = value;
+        for (const Vertex v : {mesh.from_vertex_handle(h), mesh.to_vertex_handle(h)}) flags[index(v)] = value;
     };
     for (const std::uint32_t e : edges) flag(at_gone, e, 1);
     let_go = at_gone;

@@ -69,8 +69,7 @@ std::vector<LeaningEdge> leaning_edges(const LayerModel& model, std::size_t laye
             const std::size_t triangles = inner.size() + 1, valence = mesh.valence(v);
             const double far = far_weight(triangles, valence);
             if (2 * triangles == valence || far == kLoopFar) continue;
-            for (const Halfedge h : inner)
-                result.push_back({number(mesh.edge_handle(h)), number(v), far});
+            for (const Halfedge h : inner) result.push_back({number(mesh.edge_handle(h)), number(v), far});
         }
     }
     return result;

@@ -144,7 +144,8 @@ TEST(LeaningEdges, are_none_where_both_sides_have_as_many_triangles) {
 // A limit is where all further levels lead: what one level calls it, the next ones do too.
 TEST(LeaningEdges, have_limits_that_do_not_depend_on_the_level) {
     std::mt19937_64 random(4);
-    for (const auto& [valence, triangles] : {std::pair<std::size_t, std::size_t>{5, 3}, {6, 4}, {7, 5}, {8, 3}}) {
+    for (const auto& [valence, triangles] :
+         {std::pair<std::size_t, std::size_t>{5, 3}, {6, 4}, {7, 5}, {8, 3}}) {
         const LayerModel model = fan(valence, triangles, random);
         const Fields fine = refined(model, 5);
         for (int levels = 0; levels < 5; ++levels) {
@@ -158,7 +159,8 @@ TEST(LeaningEdges, have_limits_that_do_not_depend_on_the_level) {
 // What a layer leaves for others to take over where its crease is given up: never negative, and nothing beyond the triangles at the line.
 TEST(LeaningEdges, thin_out_thickness_beside_the_line_only) {
     std::mt19937_64 random(5);
-    for (const auto& [valence, triangles] : {std::pair<std::size_t, std::size_t>{5, 3}, {6, 4}, {7, 5}, {8, 3}}) {
+    for (const auto& [valence, triangles] :
+         {std::pair<std::size_t, std::size_t>{5, 3}, {6, 4}, {7, 5}, {8, 3}}) {
         const LayerModel model = fan(valence, triangles, random);
         const Fields with = refined(model, 4), without = refined(model, 4, false);
         bool differs = false;

@@ -26,10 +26,10 @@ HeightPatch patch(const std::function<double(double)>& z_of_x) {
 
 // A layer that ends at x = 50 between two that go on, and sheets for it by hand: its base meets the sheet above at `meets`.
 struct Wedge {
-    LayerModel model = grid_model({.cells = 20,
-                                   .thickness = {test::constant(5),
-                                                 [](double x, double) { return x < 50 ? 0.1 * (50 - x) : 0; },
-                                                 test::constant(5)}});
+    LayerModel model = grid_model(
+        {.cells = 20,
+         .thickness = {test::constant(5), [](double x, double) { return x < 50 ? 0.1 * (50 - x) : 0; },
+                       test::constant(5)}});
     PlanCells cells = build_plan_cells(model);
     PlanCurves curves = build_plan_curves(model.plan.surface, cells, 2e-5 * kSize);
     HorizonSheets sheets;
@@ -68,7 +68,8 @@ TEST(SnappedLines, run_where_the_sheets_meet) {
         ASSERT_FALSE(moves.on_side.empty());
         for (const auto& [key, length] : moves.on_side) {
             const auto& side = wedge.cells.sides[key.first].vertices;
-            const auto& from = wedge.model.plan.surface.point(TriMesh::VertexHandle(static_cast<int>(side[0])));
+            const auto& from =
+                wedge.model.plan.surface.point(TriMesh::VertexHandle(static_cast<int>(side[0])));
             EXPECT_NEAR(length, std::abs(meets - from[0]), 1e-3) << "the end on the rim moves along it";
         }
     }

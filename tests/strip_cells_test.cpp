@@ -61,8 +61,7 @@ double area_of(const SmoothBrep& brep, std::uint32_t cell) {
             for (int i = 0; i < n; ++i) {
                 const double a = std::lerp(low, high, i / double(n)),
                              b = std::lerp(low, high, (i + 1) / double(n));
-                const double part =
-                    (curve.at(0, a) * curve.at(1, b) - curve.at(0, b) * curve.at(1, a)) / 2;
+                const double part = (curve.at(0, a) * curve.at(1, b) - curve.at(0, b) * curve.at(1, a)) / 2;
                 sum += use.forward ? part : -part;
             }
         }
