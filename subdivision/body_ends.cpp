@@ -8,10 +8,9 @@ namespace stratareeb {
 namespace {
 
 constexpr std::uint32_t kNone = PlanCells::kNone;
-constexpr double kStep = 0.1;         // of a curve's spans and of those of the base under it, along the curve
-constexpr int kMostSweeps = 100;      // each place that is lowered lifts none
-constexpr double kLeastGap = 0.5;     // of the gap
-constexpr double kLeastShare = 0.05;  // of the model's thickness at a place
+constexpr double kStep = 0.1;      // of a curve's spans and of those of the base under it, along the curve
+constexpr int kMostSweeps = 100;   // each place that is lowered lifts none
+constexpr double kLeastGap = 0.5;  // of the gap
 
 double width_at(const CubicKnots& knots, double at) {
     const std::size_t s = knots.span(at);
@@ -38,46 +37,25 @@ bool lower_along(HorizonSheets& sheets, std::uint32_t base, const BodyEnd& end, 
     }
 }
 
-// Vertices where a body has thickness and centres of its triangles: the place, the sheet above, the model's thickness.
-template <typename Visit>
-void each_sample(const LayerModel& model, const PlanCells& cells, const HorizonSheets& sheets,
-                 std::uint32_t b, const Visit& visit) {
+double least_thickness(const HorizonSheets& sheets, const LayerModel& model, const PlanCells& cells,
+                       std::uint32_t b) {
     const TriMesh& plan = model.plan.surface;
     const auto& body = cells.bodies[b];
+    double least = INFINITY;
     for (const auto c : body.top)
         for (const auto f : cells.cells[c].faces) {
             Point2 centre{0, 0};
-            double mean = 0;
+            const auto thickness_at = [&](const Point2& p) {
+                return sheets.sheets[sheets.of_cell[c]].z(p) - sheets.sheets[b + 1].z(p);
+            };
             for (const auto v : plan.fv_range(plan.face_handle(f))) {
                 const Point2 p{plan.point(v)[0], plan.point(v)[1]};
-                const auto i = static_cast<std::size_t>(v.idx());
-                const double thickness = model.thickness(body.layer, i);
                 centre = {centre.x + p.x / 3, centre.y + p.y / 3};
-                mean += thickness / 3;
-                if (!model.regions.zero_at[i][body.layer]) visit(p, sheets.of_cell[c], thickness);
+                if (!model.regions.zero_at[static_cast<std::size_t>(v.idx())][body.layer])
+                    least = std::min(least, thickness_at(p));
             }
-            visit(centre, sheets.of_cell[c], mean);
+            least = std::min(least, thickness_at(centre));
         }
-}
-
-// A base whose top was lowered goes along.
-bool lower_inside(HorizonSheets& sheets, const LayerModel& model, const PlanCells& cells, std::uint32_t b) {
-    bool any = false;
-    each_sample(model, cells, sheets, b, [&](const Point2& p, std::uint32_t above, double thickness) {
-        const double open = sheets.sheets[above].z(p) - sheets.sheets[b + 1].z(p);
-        if (open >= kLeastShare * thickness) return;
-        lower_at(sheets.sheets[b + 1], p, 2 * kLeastShare * thickness - open);
-        any = true;
-    });
-    return any;
-}
-
-double least_thickness(const HorizonSheets& sheets, const LayerModel& model, const PlanCells& cells,
-                       std::uint32_t b) {
-    double least = INFINITY;
-    each_sample(model, cells, sheets, b, [&](const Point2& p, std::uint32_t above, double) {
-        least = std::min(least, sheets.sheets[above].z(p) - sheets.sheets[b + 1].z(p));
-    });
     return least;
 }
 
@@ -102,14 +80,15 @@ void open_body_ends(HorizonSheets& sheets, const LayerModel& model, const PlanCe
                     const PlanCurves& curves, double gap) {
     const auto ends = body_ends(cells, sheets.of_cell);
     for (std::uint32_t b = 0; b < ends.size(); ++b) {  // from the top: those above are lowered first
-        bool any = true;
+        bool any = !ends[b].empty();
         for (int sweep = 0; sweep < kMostSweeps && any; ++sweep) {
-            any = lower_inside(sheets, model, cells, b);
+            any = false;
             for (const BodyEnd& end : ends[b])
                 any |= lower_along(sheets, b + 1, end, curves.lines[cells.edges[end.edge].line].curve,
                                    end.rank * gap);
         }
-        sheets.least_thickness[b] = least_thickness(sheets, model, cells, b);
+        sheets.least_thickness[b] =
+            std::min(sheets.least_thickness[b], least_thickness(sheets, model, cells, b));
     }
 }
 
