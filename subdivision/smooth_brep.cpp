@@ -9,8 +9,6 @@
 #include <numeric>
 
 #include "mesh/compensated_sum.h"
-#include "subdivision/body_ends.h"
-#include "subdivision/followed_lines.h"
 #include "subdivision/snapped_lines.h"
 
 namespace stratareeb {
@@ -36,15 +34,11 @@ class Builder {
         brep_.sides = curves_.sides;
         brep_.horizons =
             sheets ? *sheets : fit_horizon_sheets(model_, brep_.cells, curves_, brep_.size, options_.sheets);
-        const double gap = options_.sheets.end_gap * brep_.size;
         if (options_.snap_lines) {
-            const auto moves = snapped_lines(plan_, brep_.cells, curves_, brep_.horizons, brep_.size, gap);
+            const auto moves = snapped_lines(plan_, brep_.cells, curves_, brep_.horizons, brep_.size);
             curves_ = build_plan_curves(plan_, brep_.cells, options_.rim_tolerance * brep_.size, moves);
             brep_.sides = curves_.sides;
-            auto lines = followed_lines(brep_.cells, curves_, brep_.horizons, brep_.size, gap);
-            for (std::size_t l = 0; l < lines.size(); ++l) curves_.lines[l].curve = std::move(lines[l]);
         }
-        open_body_ends(brep_.horizons, model_, brep_.cells, curves_, gap);
         draw_edges();
         place_corners();
         order_edges_on_rim();
