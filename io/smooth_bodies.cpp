@@ -27,6 +27,8 @@ constexpr int kRetries = 2;           // of the fit, while bodies have faults
 // Of all sheets together, so that a model of hundreds of bodies comes to an end; and of one sheet at least.
 constexpr std::size_t kAllFunctions = 300'000, kLeastFunctions = 1'000;
 constexpr std::size_t kManyBodies = 40;              // that are fitted once, to come to an end
+constexpr double kEndGap = 1e-6;                     // of the size
+constexpr std::size_t kManyFaces = 60;               // of a body
 constexpr double kMostCorrected = 0.1;               // of a body's volume, a time
 constexpr std::size_t kSpansAStrip[] = {28, 14, 7};  // each cuts those before further
 
@@ -39,9 +41,11 @@ class Maker {
         const std::size_t bodies = build_plan_cells(model_, fit_.cells).bodies.size();
         auto& most = fit_.sheets.most_functions;
         most = std::min(most, std::max(kLeastFunctions, kAllFunctions / std::max<std::size_t>(bodies, 1)));
-        fit();
-        const int retries = shapes_.size() > kManyBodies ? 0 : kRetries;
-        for (int round = 0; round < retries && count_faults() > 0; ++round) try_again(round > 0);
+        if (bodies > kManyBodies || !fit_apart()) {
+            fit();
+            const int retries = shapes_.size() > kManyBodies ? 0 : kRetries;
+            for (int round = 0; round < retries && count_faults() > 0; ++round) try_again(round > 0);
+        }
         make_facets();
         SmoothBodies result;
         std::map<std::uint32_t, std::size_t> bodies_of_layer;
@@ -91,6 +95,17 @@ class Maker {
             if (!cut(sheets, spans)) break;
             examine_all();
         }
+    }
+
+    // With sheets a hair apart where bodies end, which CAD programs join best. Asks more of the sheets: false if a body has
+    // faults, or so many faces that it is better done without.
+    bool fit_apart() {
+        fit_.sheets.end_gap = kEndGap;
+        fit();
+        fit_.sheets.end_gap = 0;
+        return count_faults() == 0 && std::ranges::all_of(shapes_, [](const auto& shape) {
+                   return count_faces(*shape) <= kManyFaces;
+               });
     }
 
     // False if that can't be: then all stays as it is.

@@ -253,9 +253,34 @@ class ShapeBuilder {
                     builder_.UpdateEdge(
                         edge, parameter_curve(curve.knots, curve.coefficients[0], curve.coefficients[1]),
                         face, tolerance);
-            builder_.Add(face, wire(loop));
+            for (const auto& simple : simple_loops(loop)) builder_.Add(face, wire(simple));
         }
         return face;
+    }
+
+    // A loop that comes to a corner again is taken apart there: of wires that touch themselves, programs can't tell which
+    // way they go on.
+    std::vector<PlanCells::Loop> simple_loops(const PlanCells::Loop& loop) const {
+        std::vector<PlanCells::Loop> result;
+        PlanCells::Loop open;
+        for (const auto& use : loop) {
+            open.push_back(use);
+            const std::uint32_t here = end_of(use);
+            const auto again = std::ranges::find(open, here, [&](const auto& u) { return start_of(u); });
+            if (again == open.end()) continue;
+            result.emplace_back(again, open.end());
+            open.erase(again, open.end());
+        }
+        return result;
+    }
+
+    std::uint32_t start_of(const PlanCells::EdgeUse& use) const {
+        const auto& ends = brep_.cells.edges[use.edge];
+        return use.forward ? ends.from : ends.to;
+    }
+    std::uint32_t end_of(const PlanCells::EdgeUse& use) const {
+        const auto& ends = brep_.cells.edges[use.edge];
+        return use.forward ? ends.to : ends.from;
     }
 
     TopoDS_Face wall_face(const PlanCells::Wall& wall) {

@@ -117,7 +117,7 @@ class HeightFitter {
     // coefficients, again and again (S. Kaczmarz, 1937); in the end only down: what was below stays so.
     void press_down(HeightPatch& patch) const {
         for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
-            for (const auto& s : samples_.border) lower(patch, s.at, patch.z(s.at) - s.z);
+            for (const auto& s : samples_.border) lower_at(patch, s.at, patch.z(s.at) - s.z);
             press_all(patch);
         }
         for (int sweep = 0; sweep < kMostSweeps && press_all(patch); ++sweep) {
@@ -126,24 +126,14 @@ class HeightFitter {
 
     bool press_all(HeightPatch& patch) const {
         bool any = false;
-        for (const auto& s : samples_.inside) {
-            const double above = patch.z(s.at) - s.highest;
-            if (!(above > 0)) continue;
-            lower(patch, s.at, above);
-            any = true;
-        }
+        for (const auto* part : {&samples_.border, &samples_.inside})
+            for (const auto& s : *part) {
+                const double above = patch.z(s.at) - s.highest;
+                if (!(above > 0)) continue;
+                lower_at(patch, s.at, above);
+                any = true;
+            }
         return any;
-    }
-
-    static void lower(HeightPatch& patch, const Point2& at, double by) {
-        const auto vx = patch.x.values(at.x), vy = patch.y.values(at.y);
-        double square_x = 0, square_y = 0;
-        for (std::size_t i = 0; i < 4; ++i)
-            square_x += vx.value[i] * vx.value[i], square_y += vy.value[i] * vy.value[i];
-        for (std::size_t i = 0; i < 4; ++i)
-            for (std::size_t j = 0; j < 4; ++j)
-                patch.coefficients[(vx.first + i) * patch.y.functions() + vy.first + j] -=
-                    by * vx.value[i] * vy.value[j] / (square_x * square_y);
     }
 
     void measure(HeightFit& fit) {
@@ -232,6 +222,17 @@ double HeightPatch::z(const Point2& p) const {
 
 Point2 HeightPatch::gradient(const Point2& p) const {
     return {product(*this, x.values(p.x, 1), y.values(p.y)), product(*this, x.values(p.x), y.values(p.y, 1))};
+}
+
+void lower_at(HeightPatch& patch, const Point2& at, double by) {
+    const auto vx = patch.x.values(at.x), vy = patch.y.values(at.y);
+    double square_x = 0, square_y = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        square_x += vx.value[i] * vx.value[i], square_y += vy.value[i] * vy.value[i];
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j)
+            patch.coefficients[(vx.first + i) * patch.y.functions() + vy.first + j] -=
+                by * vx.value[i] * vy.value[j] / (square_x * square_y);
 }
 
 HeightFit fit_height_patch(const HeightSamples& samples, const HeightFitOptions& options) {

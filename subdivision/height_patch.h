@@ -22,6 +22,9 @@ struct HeightPatch {
     Point2 gradient(const Point2& p) const;  // dz/dx, dz/dy
 };
 
+//! Lower a patch at a place, by the least change of coefficients (S. Kaczmarz, 1937).
+void lower_at(HeightPatch& patch, const Point2& at, double by);
+
 //! A height that a patch is to have at a place.
 struct HeightSample {
     Point2 at;

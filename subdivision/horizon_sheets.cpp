@@ -10,6 +10,7 @@
 #include <iterator>
 #include <map>
 
+#include "subdivision/body_ends.h"
 #include "subdivision/thickness_limits.h"
 
 namespace stratareeb {
@@ -37,6 +38,7 @@ constexpr double kTrustedShare =
 constexpr double kUnusualShare = 1e-3;  // of the plan area
 constexpr double kLeastShare = 0.2;     // of the thickness around a place, that a body keeps there
 constexpr double kHighestShare = 0.1;   // of the thickness at a sample: less brings limits nearer
+constexpr double kLeastGap = 0.5;       // of the gap at ends of bodies
 
 class Fitter {
  public:
@@ -61,7 +63,7 @@ class Fitter {
         for (const auto v : model_.plan.hole_vertex)
             if (v != PlanMesh::kNoVertex) is_hole_[v] = 1;
         lay_first_knots();
-        gather_ends();
+        ends_ = body_ends(cells_, result_.of_cell);
         fit_ground();
         for (std::uint32_t first = 0, last = 0; first < cells_.bodies.size(); first = last) {
             while (last < cells_.bodies.size() && cells_.bodies[last].layer == cells_.bodies[first].layer)
@@ -93,19 +95,6 @@ class Fitter {
     }
 
     double area(std::uint32_t face) const { return plan_.calc_face_area(plan_.face_handle(face)); }
-
-    // Edges along which a body ends: its base meets a sheet further up there.
-    void gather_ends() {
-        ends_.resize(cells_.bodies.size());
-        for (std::uint32_t e = 0; e < cells_.edges.size(); ++e) {
-            if (cells_.edges[e].line == kNone) continue;
-            std::vector<std::uint32_t> sheets;
-            for (const auto c : cells_.edges[e].cells) sheets.push_back(result_.of_cell[c]);
-            std::ranges::sort(sheets);
-            sheets.erase(std::ranges::unique(sheets).begin(), sheets.end());
-            for (std::size_t i = 1; i < sheets.size(); ++i) ends_[sheets[i] - 1].push_back({e, sheets[0]});
-        }
-    }
 
     double finest(const std::vector<std::uint32_t>& faces) const {
         double in_plan = 0;
@@ -314,7 +303,7 @@ class Fitter {
             if (here[v].share > 0 && !model_.regions.zero_at[v][body.layer])
                 add(point(v), horizon[v], here[v].top / here[v].share, thickness(body, v), here[v].share / 2,
                     is_hole_[v] ? kHoleTolerance : 1);
-        for (const auto& [edge, above] : ends_[b]) add_end(base.samples, edge, above, tolerance);
+        for (const BodyEnd& end : ends_[b]) add_end(base.samples, end, tolerance);
         return base;
     }
 
@@ -356,15 +345,18 @@ class Fitter {
         return here;
     }
 
-    void add_end(HeightSamples& samples, std::uint32_t edge, std::uint32_t above, double tolerance) const {
-        const auto& line = curves_.lines[cells_.edges[edge].line];
+    // Hardly below the sheet above, never through it: CAD programs would find a new edge where sheets cross.
+    void add_end(HeightSamples& samples, const BodyEnd& end, double tolerance) const {
+        const auto& line = curves_.lines[cells_.edges[end.edge].line];
+        const double gap = options_.end_gap * size_;
         const auto& t = line.parameters;
         for (std::size_t i = 0; i + 1 < t.size(); ++i)
             for (int k = 0; k < kSamplesAnEdge + (i + 2 == t.size()); ++k) {
                 const double at = std::lerp(t[i], t[i + 1], k / double(kSamplesAnEdge));
                 const Point2 p{line.curve.at(0, at), line.curve.at(1, at)};
-                samples.border.push_back(
-                    {p, result_.sheets[above].z(p), 1.0 / kSamplesAnEdge, kBorderShare * tolerance});
+                const double top = result_.sheets[end.above].z(p);
+                samples.border.push_back({p, top - gap, 1.0 / kSamplesAnEdge, kBorderShare * tolerance,
+                                          gap > 0 ? top - kLeastGap * gap : INFINITY});
             }
     }
 
@@ -379,10 +371,6 @@ class Fitter {
         measure_off(b + 1, model_.horizons[body.layer + 1], share);
     }
 
-    struct End {
-        std::uint32_t edge, above;  // sheet
-    };
-
     const LayerModel& model_;
     const TriMesh& plan_;
     const PlanCells& cells_;
@@ -391,8 +379,8 @@ class Fitter {
     const HorizonSheetsOptions& options_;
     HorizonSheets result_;
     CubicKnots first_x_{{0, 1}}, first_y_{{0, 1}};
-    std::vector<char> is_hole_;           // [vertex]
-    std::vector<std::vector<End>> ends_;  // [body]
+    std::vector<char> is_hole_;               // [vertex]
+    std::vector<std::vector<BodyEnd>> ends_;  // [body]
 };
 
 }  // namespace

@@ -12,9 +12,11 @@
 namespace stratareeb {
 
 struct HorizonSheetsOptions {
-    double tolerance = 1e-4;             // of the size: how far sheets may be from the model's vertices
-    double thickness_tolerance = 0.1;    // the same as a share of the mean thickness of the body
-    double thin_tolerance = 0.3;         // the same as a share of the thickness at the place
+    double tolerance = 1e-4;           // of the size: how far sheets may be from the model's vertices
+    double thickness_tolerance = 0.1;  // the same as a share of the mean thickness of the body
+    double thin_tolerance = 0.3;       // the same as a share of the thickness at the place
+    double end_gap =
+        0;  // of the size: how far a base stays below the sheet that it ends at; 0 = they meet and may cross
     std::size_t most_functions = 9'000;  // a sheet
     std::vector<double> volume_factors;  // [body] of the model's volume, that sheets are fitted to; empty = 1
 };

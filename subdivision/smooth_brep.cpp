@@ -9,6 +9,9 @@
 #include <numeric>
 
 #include "mesh/compensated_sum.h"
+#include "subdivision/body_ends.h"
+#include "subdivision/followed_lines.h"
+#include "subdivision/gap_lines.h"
 #include "subdivision/snapped_lines.h"
 
 namespace stratareeb {
@@ -34,11 +37,16 @@ class Builder {
         brep_.sides = curves_.sides;
         brep_.horizons =
             sheets ? *sheets : fit_horizon_sheets(model_, brep_.cells, curves_, brep_.size, options_.sheets);
+        const double gap = options_.sheets.end_gap * brep_.size;
         if (options_.snap_lines) {
-            const auto moves = snapped_lines(plan_, brep_.cells, curves_, brep_.horizons, brep_.size);
+            const auto moves = gap > 0
+                                   ? gap_lines(plan_, brep_.cells, curves_, brep_.horizons, brep_.size, gap)
+                                   : snapped_lines(plan_, brep_.cells, curves_, brep_.horizons, brep_.size);
             curves_ = build_plan_curves(plan_, brep_.cells, options_.rim_tolerance * brep_.size, moves);
             brep_.sides = curves_.sides;
+            if (gap > 0) follow_gap(gap);
         }
+        if (gap > 0) open_body_ends(brep_.horizons, model_, brep_.cells, curves_, gap);
         draw_edges();
         place_corners();
         order_edges_on_rim();
@@ -50,6 +58,11 @@ class Builder {
  private:
     const std::vector<PlanCells::Cell>& cells() const { return brep_.cells.cells; }
     const std::vector<PlanCells::Body>& bodies() const { return brep_.cells.bodies; }
+
+    void follow_gap(double gap) {
+        auto lines = followed_lines(brep_.cells, curves_, brep_.horizons, brep_.size, gap);
+        for (std::size_t l = 0; l < lines.size(); ++l) curves_.lines[l].curve = std::move(lines[l]);
+    }
 
     Point2 point(std::size_t v) const {
         const auto& p = plan_.point(TriMesh::VertexHandle(static_cast<int>(v)));

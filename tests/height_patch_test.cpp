@@ -109,5 +109,18 @@ TEST(HeightPatch, presses_samples_down_without_swinging) {
     EXPECT_GT(pressed, 0u);
 }
 
+TEST(HeightPatch, is_lowered_at_a_place_by_what_is_asked_and_not_beyond_its_functions) {
+    auto patch = fit_height_patch(
+                     grid([](double x, double y) { return 2 * std::sin(x / 9) * std::cos(y / 11); }), kFit)
+                     .patch;
+    const HeightPatch before = patch;
+    lower_at(patch, {40, 60}, 0.5);
+    EXPECT_NEAR(before.z({40, 60}) - patch.z({40, 60}), 0.5, 1e-12);
+    for (double x = 0; x <= 100; x += 5)
+        for (double y = 0; y <= 100; y += 5) EXPECT_LT(before.z({x, y}) - patch.z({x, y}), 0.6);
+    ASSERT_GE(patch.x.spans(), 8u);
+    EXPECT_EQ(before.z({95, 5}), patch.z({95, 5}));
+}
+
 }  // namespace
 }  // namespace stratareeb

@@ -22,11 +22,12 @@ struct Fitted {
     HorizonSheets horizons;
 };
 
-Fitted fitted(LayerModel model) {
+Fitted fitted(LayerModel model, double end_gap = 0) {
     Fitted result{.model = std::move(model)};
     result.cells = build_plan_cells(result.model);
     result.curves = build_plan_curves(result.model.plan.surface, result.cells, 2e-5 * kSize);
-    result.horizons = fit_horizon_sheets(result.model, result.cells, result.curves, kSize);
+    result.horizons =
+        fit_horizon_sheets(result.model, result.cells, result.curves, kSize, {.end_gap = end_gap});
     return result;
 }
 
@@ -101,6 +102,25 @@ TEST(HorizonSheets, meet_where_a_lens_ends_and_part_inside) {
             const Point2 p{line.curve.at(0, t), line.curve.at(1, t)};
             if (std::abs(std::hypot(p.x - 50, p.y - 50) - 30) > 1e-6) continue;
             EXPECT_NEAR(sheets[1].z(p), sheets[2].z(p), 1e-4 * kSize);
+            ++on_line;
+        }
+    EXPECT_GT(on_line, 20u);
+}
+
+TEST(HorizonSheets, stay_a_gap_apart_where_a_lens_ends_if_asked_to) {
+    const auto made = fitted(grid_model({.cells = 48,
+                                         .ground = wavy,
+                                         .thickness = {test::constant(5), lens, test::constant(5)},
+                                         .rounds = {{50, 50, 30}}}),
+                             1e-6);
+    const auto& sheets = made.horizons.sheets;
+    std::size_t on_line = 0;
+    for (const auto& line : made.curves.lines)
+        for (const double t : line.parameters) {
+            const Point2 p{line.curve.at(0, t), line.curve.at(1, t)};
+            if (std::abs(std::hypot(p.x - 50, p.y - 50) - 30) > 1e-6) continue;
+            EXPECT_GT(sheets[1].z(p), sheets[2].z(p));
+            EXPECT_NEAR(sheets[1].z(p), sheets[2].z(p), 1.5e-4 * kSize);
             ++on_line;
         }
     EXPECT_GT(on_line, 20u);

@@ -141,6 +141,34 @@ TEST(SmoothStep, layers_with_a_window_and_of_two_bodies) {
     EXPECT_EQ(two.bodies[2].name, "layer 2, body 2");
 }
 
+// The outline of what lies around two lenses that touch in a point comes there twice: as one wire, programs could not tell
+// which way it goes on.
+TEST(SmoothStep, wires_do_not_touch_themselves) {
+    const auto diamond = [](double x, double y, double cx) {
+        const double inside = 1 - (std::abs(x - cx) + std::abs(y - 50)) / 20;
+        return inside > 1e-9 ? 4 * inside : 0;
+    };
+    const auto made = smooth_bodies(
+        grid_model({.cells = 20,
+                    .thickness = {test::constant(5),
+                                  [&](double x, double y) { return diamond(x, y, 30) + diamond(x, y, 70); },
+                                  test::constant(5)}}));
+    ASSERT_EQ(made.bodies.size(), 4u);
+    std::size_t most_wires = 0;
+    for (const auto& body : made.bodies)
+        for (TopExp_Explorer face(*body.solid, TopAbs_FACE); face.More(); face.Next()) {
+            std::size_t wires = 0;
+            for (TopExp_Explorer wire(face.Current(), TopAbs_WIRE); wire.More(); wire.Next(), ++wires) {
+                TopTools_IndexedMapOfShape vertices, edges;
+                TopExp::MapShapes(wire.Current(), TopAbs_VERTEX, vertices);
+                TopExp::MapShapes(wire.Current(), TopAbs_EDGE, edges);
+                EXPECT_EQ(vertices.Extent(), edges.Extent()) << body.name;
+            }
+            most_wires = std::max(most_wires, wires);
+        }
+    EXPECT_GE(most_wires, 3u);
+}
+
 TEST(SmoothStep, what_cannot_be_smooth_has_facets_and_neighbours_stay) {
     SmoothBodiesOptions strict;
     strict.volume_tolerance = 1e-12;

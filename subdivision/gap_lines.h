@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "subdivision/horizon_sheets.h"
+#include "subdivision/plan_curves.h"
+
+namespace stratareeb {
+
+//! Where the lines of the plan's cells would have to run for the sheets that meet there to be a given gap apart: each vertex
+//! of a line, moved across it (ends on the rim along it, junctions of up to three lines anywhere) to where the base of the
+//! body that ends there is that far below the sheet above. They move by no more than a quarter of the way to the next vertex.
+LineMoves gap_lines(const TriMesh& plan, const PlanCells& cells, const PlanCurves& curves,
+                    const HorizonSheets& sheets, double size, double gap);
+
+}  // namespace stratareeb
