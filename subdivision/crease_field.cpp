@@ -152,7 +152,7 @@ std::vector<double> evaluated(const LoopTopology& topology, const FieldCreases& 
     for (int k = 0; k < topology.levels(); ++k) {
         values = next_values(topology.level(k), sharp, creases.corners, leaning, values);
         sharp = refined_sharp(sharp, topology.level(k + 1), creases);
-        leaning = refined_leaning(k == 0 ? creases.leaning : std::move(leaning), topology.level(k + 1));
+        leaning = refined_leaning(k == 0 ? creases.leaning : leaning, topology.level(k + 1));
     }
     if (!on_limit) return values;
     const LoopLevel& finest = topology.finest();

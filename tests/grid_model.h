@@ -45,7 +45,10 @@ inline LayerModel grid_model(const GridModel& g) {
     std::vector<TriMesh::VertexHandle> at;
     for (int j = 0; j <= g.cells; ++j)
         for (int i = 0; i <= g.cells; ++i) at.push_back(mesh.add_vertex(bent(g, i * step, j * step)));
-    const auto corner = [&](int i, int j) { return at[static_cast<std::size_t>(j * (g.cells + 1) + i)]; };
+    const auto corner = [&](int i, int j) {
+        return at[static_cast<std::size_t>(j) * static_cast<std::size_t>(g.cells + 1) +
+                  static_cast<std::size_t>(i)];
+    };
     for (int j = 0; j < g.cells; ++j)
         for (int i = 0; i < g.cells; ++i) {
             mesh.add_face(corner(i, j), corner(i + 1, j), corner(i + 1, j + 1));
