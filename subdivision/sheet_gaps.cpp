@@ -64,6 +64,27 @@ Point2 closest(const HorizonSheets& sheets, const SheetGaps& gaps, const Point2&
     return here;
 }
 
+double square_apart(const HorizonSheets& sheets, const SheetGaps& pairs, const Point2& p) {
+    double sum = 0;
+    for (const SheetGap& pair : pairs)
+        sum += std::pow(sheets.sheets[pair.above].z(p) - sheets.sheets[pair.below].z(p), 2);
+    return sum;
+}
+
+// A Gauss-Newton step from p in a direction of unit length.
+double step_to_meeting(const HorizonSheets& sheets, const SheetGaps& pairs, const Point2& p,
+                       const Point2& direction, double damping) {
+    double A = damping, b = 0;
+    for (const SheetGap& pair : pairs) {
+        const double off = sheets.sheets[pair.above].z(p) - sheets.sheets[pair.below].z(p);
+        const Point2 g = sheets.sheets[pair.above].gradient(p), h = sheets.sheets[pair.below].gradient(p);
+        const double slope = (g.x - h.x) * direction.x + (g.y - h.y) * direction.y;
+        b -= off * slope;
+        A += slope * slope;
+    }
+    return b / A;
+}
+
 }  // namespace
 
 std::vector<SheetGaps> sheet_gaps(const PlanCells& cells, const HorizonSheets& sheets, double gap) {
@@ -95,6 +116,23 @@ Point2 closest_to_gaps(const HorizonSheets& sheets, const SheetGaps& gaps, const
         const double det = n.xx * n.yy - n.xy * n.xy;
         return Point2{(n.yy * n.x - n.xy * n.y) / det, (n.xx * n.y - n.xy * n.x) / det};
     });
+}
+
+Point2 closest_to_meeting(const HorizonSheets& sheets, const SheetGaps& pairs, const Point2& p,
+                          const Point2& direction, double reach, double size) {
+    const double damping = std::pow(kClose * size / reach, 2);
+    double moved = 0, best = square_apart(sheets, pairs, p);
+    for (int i = 0; i < kSteps && best > 0; ++i) {
+        const Point2 at{p.x + moved * direction.x, p.y + moved * direction.y};
+        double by = step_to_meeting(sheets, pairs, at, direction, damping), here = best;
+        for (int half = 0; half < kHalvings && !(here < best); ++half, by /= 2)
+            if (std::abs(moved + by) <= reach)
+                here = square_apart(sheets, pairs, {at.x + by * direction.x, at.y + by * direction.y});
+        if (!(here < best)) break;
+        best = here;
+        moved += 2 * by;  // halved once more after the step that was taken
+    }
+    return {p.x + moved * direction.x, p.y + moved * direction.y};
 }
 
 }  // namespace stratareeb

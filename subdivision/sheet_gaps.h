@@ -34,7 +34,11 @@ double off_gap(const HorizonSheets& sheets, const SheetGap& gap, const Point2& p
 Point2 closest_to_gaps(const HorizonSheets& sheets, const SheetGaps& gaps, const Point2& p,
                        const Point2& direction, double reach, double size);
 
-//! The same in all directions.
+//! The place where sheets are closest to meeting, whatever their gaps; steps beyond `reach` are halved.
+Point2 closest_to_meeting(const HorizonSheets& sheets, const SheetGaps& pairs, const Point2& p,
+                          const Point2& direction, double reach, double size);
+
+//! The same as with gaps, in all directions.
 Point2 closest_to_gaps(const HorizonSheets& sheets, const SheetGaps& gaps, const Point2& p, double reach,
                        double size);
 

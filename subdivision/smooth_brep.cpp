@@ -11,7 +11,6 @@
 #include "mesh/compensated_sum.h"
 #include "subdivision/body_ends.h"
 #include "subdivision/followed_lines.h"
-#include "subdivision/gap_lines.h"
 #include "subdivision/snapped_lines.h"
 
 namespace stratareeb {
@@ -39,9 +38,7 @@ class Builder {
             sheets ? *sheets : fit_horizon_sheets(model_, brep_.cells, curves_, brep_.size, options_.sheets);
         const double gap = options_.sheets.end_gap * brep_.size;
         if (options_.snap_lines) {
-            const auto moves = gap > 0
-                                   ? gap_lines(plan_, brep_.cells, curves_, brep_.horizons, brep_.size, gap)
-                                   : snapped_lines(plan_, brep_.cells, curves_, brep_.horizons, brep_.size);
+            const auto moves = snapped_lines(plan_, brep_.cells, curves_, brep_.horizons, brep_.size, gap);
             curves_ = build_plan_curves(plan_, brep_.cells, options_.rim_tolerance * brep_.size, moves);
             brep_.sides = curves_.sides;
             if (gap > 0) follow_gap(gap);

@@ -3,19 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+
+#include "subdivision/sheet_gaps.h"
 
 namespace stratareeb {
 namespace {
 
 constexpr std::uint32_t kNone = PlanCells::kNone;
-constexpr int kSteps = 12;
-constexpr double kReach = 0.25;  // of a line's edge: how far its vertices may move
-constexpr double kFreeFrom = 4;  // vertices from an end: those before move less
-constexpr double kClose = 1e-5;  // of the size: what sheets may be apart without harm
-
-using Pair = std::pair<std::uint32_t, std::uint32_t>;  // sheets that are to be equal
-using Pairs = std::set<Pair>;
+constexpr double kReach = 0.25;                    // of a line's edge: how far its vertices may move
+constexpr double kFreeFrom = 4, kGapFreeFrom = 2;  // vertices from an end: those before move less
+constexpr std::size_t kMostLines = 3;  // that end at a junction that moves: more might change places
 
 double length(const Point2& v) {
     return std::hypot(v.x, v.y);
@@ -24,15 +23,16 @@ double length(const Point2& v) {
 class Snapper {
  public:
     Snapper(const TriMesh& plan, const PlanCells& cells, const PlanCurves& curves,
-            const HorizonSheets& sheets, double size)
-        : plan_(plan), cells_(cells), curves_(curves), sheets_(sheets), size_(size) {}
+            const HorizonSheets& sheets, double size, double gap)
+        : plan_(plan), cells_(cells), curves_(curves), sheets_(sheets), size_(size), gap_(gap) {}
 
     LineMoves snap() {
-        gather_pairs();
+        gather_gaps();
         for (std::uint32_t l = 0; l < cells_.lines.size(); ++l)
             if (cells_.lines[l].side == kNone) snap_line(l);
         for (std::uint32_t l = 0; l < cells_.lines.size(); ++l)
             if (cells_.lines[l].side != kNone) snap_rim_ends(l);
+        if (gap_ > 0) snap_junctions();
         return std::move(moves_);
     }
 
@@ -42,19 +42,13 @@ class Snapper {
         return {p[0], p[1]};
     }
 
-    void gather_pairs() {
-        along_.resize(cells_.lines.size());
-        for (const auto& edge : cells_.edges) {
-            if (edge.line == kNone) continue;
-            std::set<std::uint32_t> sheets;
-            for (const auto c : edge.cells) sheets.insert(sheets_.of_cell[c]);
-            for (const auto s : sheets)
-                if (s != *sheets.begin()) along_[edge.line].insert({*sheets.begin(), s});
-        }
+    void gather_gaps() {
+        along_ = sheet_gaps(cells_, sheets_, gap_);
         for (std::uint32_t l = 0; l < cells_.lines.size(); ++l) {
             const auto& line = cells_.lines[l];
             for (const auto v : {line.vertices.front(), line.vertices.back()}) {
                 at_end_[v].insert(along_[l].begin(), along_[l].end());
+                ++ends_[v];
                 const double next = first_step(line.vertices, v);
                 const auto [it, fresh] = reach_.try_emplace(v, next);
                 if (!fresh) it->second = std::min(it->second, next);
@@ -68,40 +62,9 @@ class Snapper {
         return std::hypot(b.x - a.x, b.y - a.y);
     }
 
-    double square(const Pairs& pairs, const Point2& p) const {
-        double sum = 0;
-        for (const auto& [a, b] : pairs) sum += std::pow(sheets_.sheets[a].z(p) - sheets_.sheets[b].z(p), 2);
-        return sum;
-    }
-
-    // A Gauss-Newton step from p in a direction of unit length, damped so that lines stay where going as far as they may would
-    // not change much.
-    double step(const Pairs& pairs, const Point2& p, const Point2& direction, double reach) const {
-        double A = std::pow(kClose * size_ / reach, 2), b = 0;
-        for (const auto& [above, below] : pairs) {
-            const double off = sheets_.sheets[above].z(p) - sheets_.sheets[below].z(p);
-            const Point2 g = sheets_.sheets[above].gradient(p), h = sheets_.sheets[below].gradient(p);
-            const double slope = (g.x - h.x) * direction.x + (g.y - h.y) * direction.y;
-            b -= off * slope;
-            A += slope * slope;
-        }
-        return b / A;
-    }
-
-    // The place near p where sheets are closest, no further away than it may be.
-    Point2 closest(const Pairs& pairs, const Point2& p, const Point2& direction, double reach) const {
-        double moved = 0, best = square(pairs, p);
-        for (int i = 0; i < kSteps && best > 0; ++i) {
-            const Point2 at{p.x + moved * direction.x, p.y + moved * direction.y};
-            double by = step(pairs, at, direction, reach), here = best;
-            for (int half = 0; half < 4 && !(here < best); ++half, by /= 2)
-                if (std::abs(moved + by) <= reach)
-                    here = square(pairs, {at.x + by * direction.x, at.y + by * direction.y});
-            if (!(here < best)) break;
-            best = here;
-            moved += 2 * by;  // halved once more after the step that was taken
-        }
-        return {p.x + moved * direction.x, p.y + moved * direction.y};
+    Point2 closest(const SheetGaps& gaps, const Point2& p, const Point2& direction, double reach) const {
+        return gap_ > 0 ? closest_to_gaps(sheets_, gaps, p, direction, reach, size_)
+                        : closest_to_meeting(sheets_, gaps, p, direction, reach, size_);
     }
 
     void snap_line(std::uint32_t l) {
@@ -113,7 +76,8 @@ class Snapper {
             const double n = length(way);
             if (!(n > 0)) continue;
             const double from_end = static_cast<double>(std::min(i, line.size() - 1 - i));
-            const double reach = kReach * std::min(1.0, from_end / kFreeFrom) * n / 2;
+            const double reach =
+                kReach * std::min(1.0, from_end / (gap_ > 0 ? kGapFreeFrom : kFreeFrom)) * n / 2;
             moves_.inner[line[i]] = closest(along_[l], here, {-way.y / n, way.x / n}, reach);
         }
     }
@@ -138,6 +102,15 @@ class Snapper {
         }
     }
 
+    // Ends of lines inside, in the plan.
+    void snap_junctions() {
+        std::set<std::uint32_t> on_rim;
+        for (const auto& side : cells_.sides) on_rim.insert(side.vertices.begin(), side.vertices.end());
+        for (const auto& [v, gaps] : at_end_)
+            if (!gaps.empty() && !on_rim.contains(v) && ends_.at(v) <= kMostLines)
+                moves_.inner[v] = closest_to_gaps(sheets_, gaps, vertex(v), kReach * reach_.at(v), size_);
+    }
+
     double reach_on_rim(std::uint32_t l, bool at_front) const {
         const auto& line = cells_.lines[l].vertices;
         return first_step(line, at_front ? line.front() : line.back());
@@ -147,18 +120,19 @@ class Snapper {
     const PlanCells& cells_;
     const PlanCurves& curves_;
     const HorizonSheets& sheets_;
-    double size_;
+    double size_, gap_;
     LineMoves moves_;
-    std::vector<Pairs> along_;               // [line]
-    std::map<std::uint32_t, Pairs> at_end_;  // by vertex, of all lines that end there
-    std::map<std::uint32_t, double> reach_;  // by vertex
+    std::vector<SheetGaps> along_;               // [line]
+    std::map<std::uint32_t, SheetGaps> at_end_;  // by vertex, of all lines that end there
+    std::map<std::uint32_t, std::size_t> ends_;  // of lines, by vertex
+    std::map<std::uint32_t, double> reach_;      // by vertex
 };
 
 }  // namespace
 
 LineMoves snapped_lines(const TriMesh& plan, const PlanCells& cells, const PlanCurves& curves,
-                        const HorizonSheets& sheets, double size) {
-    return Snapper(plan, cells, curves, sheets, size).snap();
+                        const HorizonSheets& sheets, double size, double gap) {
+    return Snapper(plan, cells, curves, sheets, size, gap).snap();
 }
 
 }  // namespace stratareeb
