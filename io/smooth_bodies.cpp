@@ -15,22 +15,22 @@
 #include "boreholes/errors.h"
 #include "io/coarse_facets.h"
 #include "io/smooth_shapes.h"
-#include "subdivision/strip_cells.h"
+#include "subdivision/integration_strips.h"
 
 namespace stratareeb {
 namespace {
 
 constexpr double kIntegrationShare =
-    0.2;                              // of the volume that a body may be off, for how CAD programs integrate
+    0.4;                              // of the volume that a body may be off, for how CAD programs integrate
 constexpr double kFacetShare = 0.02;  // of the thinnest body's mean thickness: what facets may be off
 constexpr int kRetries = 2;           // of the fit, while bodies have faults
 // Of all sheets together, so that a model of hundreds of bodies comes to an end; and of one sheet at least.
 constexpr std::size_t kAllFunctions = 300'000, kLeastFunctions = 1'000;
-constexpr std::size_t kManyBodies = 40;              // that are fitted once, to come to an end
-constexpr double kEndGap = 1e-6;                     // of the size
-constexpr std::size_t kManyFaces = 60;               // of a body
-constexpr double kMostCorrected = 0.1;               // of a body's volume, a time
-constexpr std::size_t kSpansAStrip[] = {28, 14, 7};  // each cuts those before further
+constexpr std::size_t kManyBodies = 40;  // that are fitted once, to come to an end
+constexpr double kEndGap = 1e-6;         // of the size
+constexpr std::size_t kManyFaces = 60;   // of a body
+constexpr double kMostCorrected = 0.1;   // of a body's volume, a time
+constexpr int kMostHalvings = 6;         // of a face, for how CAD programs integrate
 
 class Maker {
  public:
@@ -87,42 +87,27 @@ class Maker {
     void fit() {
         brep_ = build_smooth_brep(model_, fit_);
         most_off_ = std::min(options_.most_off * brep_.size, options_.most_of_relief * relief());
+        cut_into_strips();
         examine_all();
         hold_lines();
-        for (const std::size_t spans : kSpansAStrip) {
-            const auto sheets = badly_integrated();
-            if (std::ranges::count(sheets, 1) == 0) break;
-            if (!cut(sheets, spans)) break;
-            examine_all();
-        }
     }
+
+    void cut_into_strips() { cut_for_integration(brep_, kIntegrationShare * options_.volume_tolerance); }
 
     // With sheets a hair apart where bodies end, which CAD programs join best. Asks more of the sheets: false if a body has
     // faults, or so many faces that it is better done without.
     bool fit_apart() {
         fit_.sheets.end_gap = kEndGap;
         fit();
+        if (count_faults() > 0 && count_faults() == std::ranges::count(is_volume_wrong_, 1)) try_again(false);
         fit_.sheets.end_gap = 0;
         return count_faults() == 0 && std::ranges::all_of(shapes_, [](const auto& shape) {
                    return count_faces(*shape) <= kManyFaces;
                });
     }
 
-    // False if that can't be: then all stays as it is.
-    bool cut(const std::vector<char>& sheets, std::size_t spans) {
-        SmoothBrep whole = brep_;
-        try {
-            cut_into_strips(brep_, sheets, spans);
-            return true;
-        } catch (const GeometryError&) {
-            brep_ = std::move(whole);
-            return false;
-        }
-    }
-
-    std::size_t count_faults() const {
-        return static_cast<std::size_t>(
-            std::ranges::count_if(faults_, [](const auto& fault) { return !fault.empty(); }));
+    std::ptrdiff_t count_faults() const {
+        return std::ranges::count_if(faults_, [](const auto& fault) { return !fault.empty(); });
     }
 
     // Fits again for volumes as the lines that were moved left them, and with more functions; keeps what is better.
@@ -134,11 +119,11 @@ class Maker {
                 factors[b] *= std::clamp(brep_.quality[b].mesh_volume / volumes_[b], 1 - kMostCorrected,
                                          1 + kMostCorrected);
         if (with_more) fit_.sheets.most_functions *= 2;
-        const std::size_t before = count_faults();
-        auto kept = std::make_tuple(brep_, shapes_, is_valid_, faults_, volumes_);
+        const auto before = count_faults();
+        auto kept = std::make_tuple(brep_, shapes_, is_valid_, is_volume_wrong_, faults_, volumes_);
         fit();
         if (count_faults() >= before)
-            std::tie(brep_, shapes_, is_valid_, faults_, volumes_) = std::move(kept);
+            std::tie(brep_, shapes_, is_valid_, is_volume_wrong_, faults_, volumes_) = std::move(kept);
     }
 
     // Lines that were moved may touch where many meet closely: then they stay where the model has them, if that is better.
@@ -148,6 +133,7 @@ class Maker {
         SmoothBrepOptions steady = fit_;
         steady.snap_lines = false;
         SmoothBrep moved = std::exchange(brep_, rebuild_smooth_brep(model_, brep_.horizons, steady));
+        cut_into_strips();
         examine_all();
         if (std::ranges::count(is_valid_, 0) < before) return;
         brep_ = std::move(moved);
@@ -158,29 +144,18 @@ class Maker {
         shapes_ = smooth_shapes(brep_);
         faults_.assign(shapes_.size(), {});
         is_valid_.assign(shapes_.size(), 1);
-        volumes_.assign(shapes_.size(), 0);
+        is_volume_wrong_.assign(shapes_.size(), 0);
+        volumes_.assign(shapes_.size(), NAN);
         tbb::parallel_for(std::size_t{0}, shapes_.size(), [&](std::size_t b) { examine(b, *shapes_[b]); });
-    }
-
-    // Sheets of bodies whose volume comes out wrong because their faces have too many spans.
-    std::vector<char> badly_integrated() const {
-        std::vector<char> sheets(brep_.horizons.sheets.size(), 0);
-        for (std::size_t b = 0; b < shapes_.size(); ++b) {
-            const auto& quality = brep_.quality[b];
-            const double off = std::abs(volumes_[b] - quality.volume) / quality.mesh_volume;
-            if (off <= kIntegrationShare * options_.volume_tolerance) continue;
-            for (const auto* faces : {&brep_.cells.bodies[b].top, &brep_.cells.bodies[b].base})
-                for (const auto c : *faces) sheets[brep_.horizons.of_cell[c]] = 1;
-        }
-        return sheets;
     }
 
     void examine(std::size_t b, const TopoDS_Shape& shape) {
         const auto& quality = brep_.quality[b];
         faults_[b] = fault_of(quality);
+        if (!faults_[b].empty()) return;
         try {
             volumes_[b] = cad_volume(shape);
-            if (faults_[b].empty() && !BRepCheck_Analyzer(shape).IsValid()) {
+            if (!BRepCheck_Analyzer(shape).IsValid()) {
                 faults_[b] = "smooth faces make no valid solid of it";
                 is_valid_[b] = 0;
             }
@@ -189,8 +164,9 @@ class Maker {
         }
         if (!faults_[b].empty()) return;
         const double off = std::abs(volumes_[b] - quality.mesh_volume) / quality.mesh_volume;
-        if (!(off <= options_.volume_tolerance))
-            faults_[b] = fmt::format("smooth faces would change its volume by {:.2g} %", 100 * off);
+        if (off <= options_.volume_tolerance) return;
+        faults_[b] = fmt::format("smooth faces would change its volume by {:.2g} %", 100 * off);
+        is_volume_wrong_[b] = 1;
     }
 
     std::string fault_of(const SmoothBrep::BodyQuality& quality) const {
@@ -229,7 +205,7 @@ class Maker {
     SmoothBrepOptions fit_;
     SmoothBrep brep_;
     std::vector<std::shared_ptr<const TopoDS_Shape>> shapes_;  // [body]
-    std::vector<char> is_valid_;                               // [body]
+    std::vector<char> is_valid_, is_volume_wrong_;             // [body]
     std::vector<std::string> faults_;                          // [body]; empty = sound
     std::vector<double> volumes_;
     double facets_off_ = 0;

@@ -21,9 +21,8 @@
 namespace stratareeb {
 namespace {
 
-constexpr double kTolerance = 1e-7;     // OpenCASCADE's notion of "the same point"
-constexpr double kSlack = 1.5;          // distances are measured at samples
-constexpr std::size_t kMostSpans = 12;  // of an edge
+constexpr double kTolerance = 1e-7;  // OpenCASCADE's notion of "the same point"
+constexpr double kSlack = 1.5;       // distances are measured at samples
 constexpr std::uint32_t kNone = PlanCells::kNone;
 
 struct OcctKnots {
@@ -140,7 +139,6 @@ class ShapeBuilder {
         }
     }
 
-    // Programs integrate along an edge with a fixed number of points: one of many spans is made of several edges.
     struct Piece {
         SplineCurve curve{CubicKnots({0, 1}), {}};
         double tolerance = kTolerance;
@@ -155,15 +153,16 @@ class ShapeBuilder {
             return pieces;
         }
         const auto& curve = brep_.edges[e].curve;
-        const std::size_t spans = curve.knots.spans(), count = (spans + kMostSpans - 1) / kMostSpans;
+        const auto breaks = cad_edge_ends(curve.knots);
         TopoDS_Vertex from = vertices_[ends.from];
-        for (std::size_t k = 0; k < count; ++k) {
-            const std::size_t first = k * spans / count, last = (k + 1) * spans / count;
+        for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+            const std::size_t first = breaks[k], last = breaks[k + 1];
             Piece& piece = pieces.emplace_back(Piece{part_of(curve, first, last)});
             for (std::size_t s = first; s < last; ++s)
                 piece.tolerance =
                     std::max(piece.tolerance, kSlack * brep_.edges[e].tolerances[s] + kTolerance);
-            TopoDS_Vertex to = last == spans ? vertices_[ends.to] : end_of(piece.curve, piece.tolerance);
+            TopoDS_Vertex to =
+                last == curve.knots.spans() ? vertices_[ends.to] : end_of(piece.curve, piece.tolerance);
             builder_.UpdateVertex(from, piece.tolerance);
             builder_.UpdateVertex(to, piece.tolerance);
             builder_.MakeEdge(piece.edge, space_curve(piece.curve), piece.tolerance);

@@ -103,14 +103,15 @@ std::vector<std::vector<BodyEnd>> body_ends(const PlanCells& cells,
 }
 
 void open_body_ends(HorizonSheets& sheets, const LayerModel& model, const PlanCells& cells,
-                    const PlanCurves& curves, double gap) {
+                    const PlanCurves& curves) {
     const auto ends = body_ends(cells, sheets.of_cell);
     for (std::uint32_t b = 0; b < ends.size(); ++b) {  // from the top: those above are lowered first
         bool any = true;
         for (int sweep = 0; sweep < kMostSweeps && any; ++sweep) {
             any = lower_inside(sheets, model, cells, b);
             for (const BodyEnd& end : ends[b])
-                any |= lower_along(sheets, b + 1, end, curves.lines[cells.edges[end.edge].line].curve, gap);
+                any |= lower_along(sheets, b + 1, end, curves.lines[cells.edges[end.edge].line].curve,
+                                   sheets.gaps[b]);
         }
         sheets.least_thickness[b] = least_thickness(sheets, model, cells, b);
     }

@@ -147,8 +147,8 @@ class Follower {
 }  // namespace
 
 std::vector<SplineCurve> followed_lines(const PlanCells& cells, const PlanCurves& curves,
-                                        const HorizonSheets& sheets, double size, double gap) {
-    const auto gaps = sheet_gaps(cells, sheets, gap);
+                                        const HorizonSheets& sheets, double size) {
+    const auto gaps = sheet_gaps(cells, sheets);
     std::vector<SplineCurve> result;
     for (const auto& line : curves.lines) result.push_back(line.curve);
     tbb::parallel_for(std::size_t{0}, result.size(), [&](std::size_t l) {

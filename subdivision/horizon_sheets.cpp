@@ -59,6 +59,7 @@ class Fitter {
         result_.off.assign(sheets, 0);
         result_.usual_off.assign(sheets, 0);
         result_.least_thickness.assign(cells_.bodies.size(), INFINITY);
+        result_.gaps.assign(cells_.bodies.size(), 0);
         is_hole_.assign(plan_.n_vertices(), 0);
         for (const auto v : model_.plan.hole_vertex)
             if (v != PlanMesh::kNoVertex) is_hole_[v] = 1;
@@ -227,6 +228,8 @@ class Fitter {
         const auto& body = cells_.bodies[b];
         const auto here = look_up(body);
         BaseSamples base = base_samples(b, here);
+        result_.gaps[b] = std::min(options_.end_gap * size_, options_.thin_end_gap * base.volume / base.area);
+        for (const BodyEnd& end : ends_[b]) add_end(base.samples, end, body_tolerance(base), result_.gaps[b]);
         std::vector<ThicknessSample> thicknesses;
         for (const auto c : body.top)
             for (const auto f : cells_.cells[c].faces) {
@@ -263,8 +266,7 @@ class Fitter {
             for (const auto v : corners(f)) base.volume += area(f) * thickness(body, v) / 3;
             base.area += area(f);
         }
-        const double tolerance =
-            std::min(options_.tolerance * size_, options_.thickness_tolerance * base.volume / base.area);
+        const double tolerance = body_tolerance(base);
         const double top_off = mean_off(body, here);
         const auto add = [&](const Point2& at, double z, double top, double thick, double share,
                              double exact) {
@@ -303,8 +305,11 @@ class Fitter {
             if (here[v].share > 0 && !model_.regions.zero_at[v][body.layer])
                 add(point(v), horizon[v], here[v].top / here[v].share, thickness(body, v), here[v].share / 2,
                     is_hole_[v] ? kHoleTolerance : 1);
-        for (const BodyEnd& end : ends_[b]) add_end(base.samples, end, tolerance);
         return base;
+    }
+
+    double body_tolerance(const BaseSamples& base) const {
+        return std::min(options_.tolerance * size_, options_.thickness_tolerance * base.volume / base.area);
     }
 
     // Between the sheets, over the body's part of the plan.
@@ -346,9 +351,8 @@ class Fitter {
     }
 
     // Hardly below the sheet above, never through it: CAD programs would find a new edge where sheets cross.
-    void add_end(HeightSamples& samples, const BodyEnd& end, double tolerance) const {
+    void add_end(HeightSamples& samples, const BodyEnd& end, double tolerance, double gap) const {
         const auto& line = curves_.lines[cells_.edges[end.edge].line];
-        const double gap = options_.end_gap * size_;
         const auto& t = line.parameters;
         for (std::size_t i = 0; i + 1 < t.size(); ++i)
             for (int k = 0; k < kSamplesAnEdge + (i + 2 == t.size()); ++k) {

@@ -17,6 +17,8 @@ struct HorizonSheetsOptions {
     double thin_tolerance = 0.3;       // the same as a share of the thickness at the place
     double end_gap =
         0;  // of the size: how far a base stays below the sheet that it ends at; 0 = they meet and may cross
+    double thin_end_gap =
+        5e-4;  // the same as a share of the mean thickness of the body: its volume counts it in
     std::size_t most_functions = 9'000;  // a sheet
     std::vector<double> volume_factors;  // [body] of the model's volume, that sheets are fitted to; empty = 1
 };
@@ -27,6 +29,7 @@ struct HorizonSheetsOptions {
 struct HorizonSheets {
     std::vector<HeightPatch> sheets;     // [0] the ground, [1 + body] the base of a body
     std::vector<std::uint32_t> of_cell;  // [cells.cells]
+    std::vector<double> gaps;            // [body] how far its base stays below the sheet that it ends at
     std::vector<double> off;             // [sheet] largest distance from the model's vertices
     std::vector<double> usual_off;       // [sheet] the same for all but a thousandth of the plan area
     std::vector<double>

@@ -87,12 +87,17 @@ double step_to_meeting(const HorizonSheets& sheets, const SheetGaps& pairs, cons
 
 }  // namespace
 
-std::vector<SheetGaps> sheet_gaps(const PlanCells& cells, const HorizonSheets& sheets, double gap) {
+std::vector<SheetGaps> sheet_gaps(const PlanCells& cells, const HorizonSheets& sheets) {
     std::vector<SheetGaps> result(cells.lines.size());
     const auto ends = body_ends(cells, sheets.of_cell);
     for (std::uint32_t b = 0; b < ends.size(); ++b)
-        for (const BodyEnd& end : ends[b]) result[cells.edges[end.edge].line].insert({end.above, b + 1, gap});
+        for (const BodyEnd& end : ends[b])
+            result[cells.edges[end.edge].line].insert({end.above, b + 1, sheets.gaps[b]});
     return result;
+}
+
+bool has_gaps(const HorizonSheets& sheets) {
+    return std::ranges::any_of(sheets.gaps, [](double gap) { return gap > 0; });
 }
 
 double off_gap(const HorizonSheets& sheets, const SheetGap& gap, const Point2& p) {

@@ -21,9 +21,12 @@ struct SheetGap {
 
 using SheetGaps = std::set<SheetGap>;
 
-//! Of the bases that end along each line and the sheets above them.
+//! Of the bases that end along each line and the sheets above them, as `sheets.gaps` has them.
 //! \return [cells.lines]
-std::vector<SheetGaps> sheet_gaps(const PlanCells& cells, const HorizonSheets& sheets, double gap);
+std::vector<SheetGaps> sheet_gaps(const PlanCells& cells, const HorizonSheets& sheets);
+
+//! Whether sheets are to be apart where bodies end.
+bool has_gaps(const HorizonSheets& sheets);
 
 //! How much farther apart than they are to be sheets are at a place; negative = too close.
 double off_gap(const HorizonSheets& sheets, const SheetGap& gap, const Point2& p);

@@ -10,7 +10,9 @@
 
 #include "mesh/compensated_sum.h"
 #include "subdivision/body_ends.h"
+#include "subdivision/cell_integrals.h"
 #include "subdivision/followed_lines.h"
+#include "subdivision/sheet_gaps.h"
 #include "subdivision/snapped_lines.h"
 
 namespace stratareeb {
@@ -23,6 +25,7 @@ constexpr int kOrderRounds = 4;          // of halving spans of edges of a wall 
 constexpr double kEdgeSpan = 1.5;        // of the patches' spans around it
 constexpr int kSamplesASpan = 10;        // of an edge, for its tolerance
 constexpr std::size_t kMostEdgeSpans = 1500;
+constexpr std::size_t kMostCadSpans = 12;  // of one of the edges that CAD programs get
 
 class Builder {
  public:
@@ -36,14 +39,14 @@ class Builder {
         brep_.sides = curves_.sides;
         brep_.horizons =
             sheets ? *sheets : fit_horizon_sheets(model_, brep_.cells, curves_, brep_.size, options_.sheets);
-        const double gap = options_.sheets.end_gap * brep_.size;
+        const bool apart = has_gaps(brep_.horizons);
         if (options_.snap_lines) {
-            const auto moves = snapped_lines(plan_, brep_.cells, curves_, brep_.horizons, brep_.size, gap);
+            const auto moves = snapped_lines(plan_, brep_.cells, curves_, brep_.horizons, brep_.size);
             curves_ = build_plan_curves(plan_, brep_.cells, options_.rim_tolerance * brep_.size, moves);
             brep_.sides = curves_.sides;
-            if (gap > 0) follow_gap(gap);
+            if (apart) follow_gaps();
         }
-        if (gap > 0) open_body_ends(brep_.horizons, model_, brep_.cells, curves_, gap);
+        if (apart) open_body_ends(brep_.horizons, model_, brep_.cells, curves_);
         draw_edges();
         place_corners();
         order_edges_on_rim();
@@ -56,8 +59,8 @@ class Builder {
     const std::vector<PlanCells::Cell>& cells() const { return brep_.cells.cells; }
     const std::vector<PlanCells::Body>& bodies() const { return brep_.cells.bodies; }
 
-    void follow_gap(double gap) {
-        auto lines = followed_lines(brep_.cells, curves_, brep_.horizons, brep_.size, gap);
+    void follow_gaps() {
+        auto lines = followed_lines(brep_.cells, curves_, brep_.horizons, brep_.size);
         for (std::size_t l = 0; l < lines.size(); ++l) curves_.lines[l].curve = std::move(lines[l]);
     }
 
@@ -246,7 +249,7 @@ class Builder {
             }
             quality.mesh_volume = volume.value();
             quality.least_thickness = brep_.horizons.least_thickness[b];
-            quality.volume = volume_between_sheets(body);
+            quality.volume = body_volume(brep_, body);
             for (const auto* faces : {&body.top, &body.base})
                 for (const auto c : *faces) {
                     const std::uint32_t sheet = brep_.horizons.of_cell[c];
@@ -255,16 +258,6 @@ class Builder {
                 }
             brep_.quality.push_back(quality);
         }
-    }
-
-    double volume_between_sheets(const PlanCells::Body& body) const {
-        CompensatedSum volume;
-        for (const auto* faces : {&body.top, &body.base})
-            for (const auto c : *faces)
-                for (const auto f : cells()[c].faces)
-                    volume.add((faces == &body.top ? 1 : -1) * area(f) *
-                               mean_height(plan_, f, brep_.sheet(c)));
-        return volume.value();
     }
 
     const LayerModel& model_;
@@ -289,6 +282,13 @@ void measure_edge(SmoothBrep& brep, std::size_t e) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> cad_edge_ends(const CubicKnots& knots) {
+    const std::size_t spans = knots.spans(), count = (spans + kMostCadSpans - 1) / kMostCadSpans;
+    std::vector<std::size_t> ends;
+    for (std::size_t k = 0; k <= count; ++k) ends.push_back(k * spans / count);
+    return ends;
+}
 
 void measure_edges(SmoothBrep& brep) {
     tbb::parallel_for(std::size_t{0}, brep.edges.size(), [&](std::size_t e) {

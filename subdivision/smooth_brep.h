@@ -24,7 +24,7 @@ struct SmoothBrep {
 
     struct BodyQuality {
         double mesh_volume = 0;  // of the model's triangles
-        double volume = 0;       // between the sheets, over the same part of the plan
+        double volume = 0;       // between its faces
         double least_thickness =
             0;           // top above base, at plan vertices where the layer has thickness; <= 0: they cross
         double off = 0;  // faces from the model's vertices
@@ -36,10 +36,10 @@ struct SmoothBrep {
     std::vector<Point3> corners;  // [cells.corners]
     std::vector<Edge> edges;      // [cells.edges]
     HorizonSheets horizons;
-    std::vector<std::vector<double>> cuts;  // [horizons.sheets] x of lines along which its faces were cut
-    std::vector<SideCurve> sides;           // [cells.sides]
-    std::vector<BodyQuality> quality;       // [cells.bodies]
-    double size = 0;                        // diagonal of the model's box
+    std::vector<double> cuts;          // x of lines along which faces were cut
+    std::vector<SideCurve> sides;      // [cells.sides]
+    std::vector<BodyQuality> quality;  // [cells.bodies]
+    double size = 0;                   // diagonal of the model's box
 
     const HeightPatch& sheet(std::uint32_t cell) const { return horizons.sheets[horizons.of_cell[cell]]; }
 };
@@ -57,6 +57,10 @@ SmoothBrep build_smooth_brep(const LayerModel& model, const SmoothBrepOptions& o
 //! The same from sheets that were fitted before, for other options of lines.
 SmoothBrep rebuild_smooth_brep(const LayerModel& model, const HorizonSheets& sheets,
                                const SmoothBrepOptions& options);
+
+//! CAD programs integrate along an edge with a fixed number of points: one of many spans is made of several edges.
+//! \return the spans that they begin with, and the number of spans
+std::vector<std::size_t> cad_edge_ends(const CubicKnots& knots);
 
 //! How far edges are from the sheets that meet there, for `tolerances` and `quality`.
 void measure_edges(SmoothBrep& brep);

@@ -23,8 +23,13 @@ double length(const Point2& v) {
 class Snapper {
  public:
     Snapper(const TriMesh& plan, const PlanCells& cells, const PlanCurves& curves,
-            const HorizonSheets& sheets, double size, double gap)
-        : plan_(plan), cells_(cells), curves_(curves), sheets_(sheets), size_(size), gap_(gap) {}
+            const HorizonSheets& sheets, double size)
+        : plan_(plan),
+          cells_(cells),
+          curves_(curves),
+          sheets_(sheets),
+          size_(size),
+          has_gaps_(has_gaps(sheets)) {}
 
     LineMoves snap() {
         gather_gaps();
@@ -32,7 +37,7 @@ class Snapper {
             if (cells_.lines[l].side == kNone) snap_line(l);
         for (std::uint32_t l = 0; l < cells_.lines.size(); ++l)
             if (cells_.lines[l].side != kNone) snap_rim_ends(l);
-        if (gap_ > 0) snap_junctions();
+        if (has_gaps_) snap_junctions();
         return std::move(moves_);
     }
 
@@ -43,7 +48,7 @@ class Snapper {
     }
 
     void gather_gaps() {
-        along_ = sheet_gaps(cells_, sheets_, gap_);
+        along_ = sheet_gaps(cells_, sheets_);
         for (std::uint32_t l = 0; l < cells_.lines.size(); ++l) {
             const auto& line = cells_.lines[l];
             for (const auto v : {line.vertices.front(), line.vertices.back()}) {
@@ -63,8 +68,8 @@ class Snapper {
     }
 
     Point2 closest(const SheetGaps& gaps, const Point2& p, const Point2& direction, double reach) const {
-        return gap_ > 0 ? closest_to_gaps(sheets_, gaps, p, direction, reach, size_)
-                        : closest_to_meeting(sheets_, gaps, p, direction, reach, size_);
+        return has_gaps_ ? closest_to_gaps(sheets_, gaps, p, direction, reach, size_)
+                         : closest_to_meeting(sheets_, gaps, p, direction, reach, size_);
     }
 
     void snap_line(std::uint32_t l) {
@@ -77,7 +82,7 @@ class Snapper {
             if (!(n > 0)) continue;
             const double from_end = static_cast<double>(std::min(i, line.size() - 1 - i));
             const double reach =
-                kReach * std::min(1.0, from_end / (gap_ > 0 ? kGapFreeFrom : kFreeFrom)) * n / 2;
+                kReach * std::min(1.0, from_end / (has_gaps_ ? kGapFreeFrom : kFreeFrom)) * n / 2;
             moves_.inner[line[i]] = closest(along_[l], here, {-way.y / n, way.x / n}, reach);
         }
     }
@@ -120,7 +125,8 @@ class Snapper {
     const PlanCells& cells_;
     const PlanCurves& curves_;
     const HorizonSheets& sheets_;
-    double size_, gap_;
+    double size_;
+    bool has_gaps_;
     LineMoves moves_;
     std::vector<SheetGaps> along_;               // [line]
     std::map<std::uint32_t, SheetGaps> at_end_;  // by vertex, of all lines that end there
@@ -131,8 +137,8 @@ class Snapper {
 }  // namespace
 
 LineMoves snapped_lines(const TriMesh& plan, const PlanCells& cells, const PlanCurves& curves,
-                        const HorizonSheets& sheets, double size, double gap) {
-    return Snapper(plan, cells, curves, sheets, size, gap).snap();
+                        const HorizonSheets& sheets, double size) {
+    return Snapper(plan, cells, curves, sheets, size).snap();
 }
 
 }  // namespace stratareeb

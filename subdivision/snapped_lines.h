@@ -6,11 +6,11 @@
 
 namespace stratareeb {
 
-//! Where the lines of the plan's cells would have to run for the sheets that meet there to be a given gap apart: each vertex
+//! Where the lines of the plan's cells would have to run for the sheets that meet there to be as far apart as their gaps are: each vertex
 //! of a line, moved across it (ends on the rim along it; other ends stay, but for junctions of up to three lines with a gap) to where the
 //! base of the body that ends there is that far below the sheet above, by damped Gauss-Newton steps. They move by no more than a
 //! quarter of the way to the next vertex.
 LineMoves snapped_lines(const TriMesh& plan, const PlanCells& cells, const PlanCurves& curves,
-                        const HorizonSheets& sheets, double size, double gap = 0);
+                        const HorizonSheets& sheets, double size);
 
 }  // namespace stratareeb

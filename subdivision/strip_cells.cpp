@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "boreholes/errors.h"
 #include "mesh/point_in_ring.h"
@@ -46,24 +47,34 @@ SplineCurve part_of(const SplineCurve& curve, double from, double to) {
 
 class Cutter {
  public:
-    Cutter(SmoothBrep& brep, std::vector<std::vector<double>> lines)
-        : brep_(brep), cells_(brep.cells), lines_(std::move(lines)) {}
+    Cutter(SmoothBrep& brep, const std::vector<double>& lines)
+        : brep_(brep), cells_(brep.cells), lines_(lines) {}
 
     void cut() {
         split_edges();
-        brep_.cuts.resize(lines_.size());
-        for (std::size_t s = 0; s < lines_.size(); ++s)
-            brep_.cuts[s].insert(brep_.cuts[s].end(), lines_[s].begin(), lines_[s].end());
-        const std::size_t cells = cells_.cells.size();
+        for (const double x : lines_)
+            if (!std::isnan(x) && std::ranges::find(brep_.cuts, x) == brep_.cuts.end())
+                brep_.cuts.push_back(x);
         for (auto& cell : cells_.cells)
             for (auto& loop : cell.loops) loop = expanded(loop);
         for (auto& body : cells_.bodies)
             for (auto& wall : body.walls) wall.loop = expanded(wall.loop);
-        for (std::uint32_t c = 0; c < cells; ++c) split_cell(c);
+        for (std::uint32_t c = 0; c < lines_.size(); ++c)
+            if (!std::isnan(lines_[c])) split_cell(c, lines_[c]);
+        note_what_meets();
     }
 
  private:
-    std::uint32_t sheet_of(std::uint32_t cell) const { return brep_.horizons.of_cell[cell]; }
+    void note_what_meets() {
+        for (auto& edge : cells_.edges)
+            if (edge.line != kNone) edge.cells.clear();
+        for (std::uint32_t c = 0; c < cells_.cells.size(); ++c)
+            for (const auto& loop : cells_.cells[c].loops)
+                for (const auto& use : loop) {
+                    auto& meeting = cells_.edges[use.edge].cells;
+                    if (std::ranges::find(meeting, c) == meeting.end()) meeting.push_back(c);
+                }
+    }
 
     void split_edges() {
         const std::size_t count = cells_.edges.size();
@@ -82,7 +93,7 @@ class Cutter {
     void find_crossings(std::uint32_t e) {
         std::vector<double> lines;
         for (const auto c : cells_.edges[e].cells)
-            lines.insert(lines.end(), lines_[sheet_of(c)].begin(), lines_[sheet_of(c)].end());
+            if (!std::isnan(lines_[c])) lines.push_back(lines_[c]);
         std::ranges::sort(lines);
         lines.erase(std::ranges::unique(lines).begin(), lines.end());
         const auto& curve = brep_.edges[e].curve;
@@ -161,32 +172,29 @@ class Cutter {
 
     struct Part {
         PlanCells::EdgeUse use;
-        std::size_t strip;
+        bool beyond;           // the line
         std::size_t next = 0;  // along the boundary; of ends on a line: found by the corner
         bool is_walked = false;
     };
 
-    std::size_t strip_of(const PlanCells::EdgeUse& use, const std::vector<double>& lines) const {
+    bool is_beyond(const PlanCells::EdgeUse& use, double line) const {
         const auto& curve = brep_.edges[use.edge].curve;
-        const double x = curve.at(0, (curve.knots.low() + curve.knots.high()) / 2);
-        return static_cast<std::size_t>(std::ranges::lower_bound(lines, x) - lines.begin());
+        return curve.at(0, (curve.knots.low() + curve.knots.high()) / 2) > line;
     }
 
-    void split_cell(std::uint32_t c) {
-        const auto& lines = lines_[sheet_of(c)];
-        std::map<std::uint32_t, double> on_line;  // corners of this cell's outline
+    void split_cell(std::uint32_t c, double line) {
+        std::set<std::uint32_t> on_line;  // corners of this cell's outline
         for (const auto& loop : cells_.cells[c].loops)
             for (const auto& use : loop)
-                for (const double x : lines)
-                    if (is_crossing(end_of(use), x)) on_line[end_of(use)] = x;
+                if (is_crossing(end_of(use), line)) on_line.insert(end_of(use));
         if (on_line.empty()) return;
         std::vector<Part> parts;
         for (const auto& loop : cells_.cells[c].loops) {
             const std::size_t first = parts.size();
             for (std::size_t i = 0; i < loop.size(); ++i)
-                parts.push_back({loop[i], strip_of(loop[i], lines), first + (i + 1) % loop.size()});
+                parts.push_back({loop[i], is_beyond(loop[i], line), first + (i + 1) % loop.size()});
         }
-        add_cuts(c, on_line, lines, parts);
+        add_cuts(c, on_line, line, parts);
         join(c, parts, on_line);
     }
 
@@ -195,18 +203,14 @@ class Cutter {
         return it != line_of_.end() && it->second == line;
     }
 
-    void add_cuts(std::uint32_t c, const std::map<std::uint32_t, double>& on_line,
-                  const std::vector<double>& lines, std::vector<Part>& parts) {
-        for (std::size_t k = 0; k < lines.size(); ++k) {
-            std::vector<std::uint32_t> corners;
-            for (const auto& [corner, line] : on_line)
-                if (line == lines[k]) corners.push_back(corner);
-            std::ranges::sort(corners, {}, [&](std::uint32_t i) { return brep_.corners[i].y; });
-            for (std::size_t i = 0; i + 1 < corners.size(); i += 2) {
-                const std::uint32_t e = add_cut(c, lines[k], corners[i], corners[i + 1]);
-                parts.push_back({{e, true}, k});
-                parts.push_back({{e, false}, k + 1});
-            }
+    void add_cuts(std::uint32_t c, const std::set<std::uint32_t>& on_line, double line,
+                  std::vector<Part>& parts) {
+        std::vector<std::uint32_t> corners(on_line.begin(), on_line.end());
+        std::ranges::sort(corners, {}, [&](std::uint32_t i) { return brep_.corners[i].y; });
+        for (std::size_t i = 0; i + 1 < corners.size(); i += 2) {
+            const std::uint32_t e = add_cut(c, line, corners[i], corners[i + 1]);
+            parts.push_back({{e, true}, false});
+            parts.push_back({{e, false}, true});
         }
     }
 
@@ -236,7 +240,7 @@ class Cutter {
                         geometry);
     }
 
-    using StripCorner = std::pair<std::size_t, std::uint32_t>;
+    using StripCorner = std::pair<bool, std::uint32_t>;
 
     static std::size_t next_from(const std::map<StripCorner, std::size_t>& from_line,
                                  const StripCorner& here) {
@@ -246,21 +250,22 @@ class Cutter {
         return it->second;
     }
 
-    void join(std::uint32_t c, std::vector<Part>& parts, const std::map<std::uint32_t, double>& on_line) {
+    void join(std::uint32_t c, std::vector<Part>& parts, const std::set<std::uint32_t>& on_line) {
         std::map<StripCorner, std::size_t> from_line;
         for (std::size_t i = 0; i < parts.size(); ++i)
             if (on_line.contains(start_of(parts[i].use)))
-                from_line[{parts[i].strip, start_of(parts[i].use)}] = i;
-        std::vector<std::pair<std::size_t, PlanCells::Loop>> loops;  // by strip
+                from_line[{parts[i].beyond, start_of(parts[i].use)}] = i;
+        std::vector<std::pair<bool, PlanCells::Loop>> loops;  // whether it lies beyond the line
         for (std::size_t first = 0; first < parts.size(); ++first) {
             if (parts[first].is_walked) continue;
-            loops.push_back({parts[first].strip, {}});
+            loops.push_back({parts[first].beyond, {}});
             std::size_t i = first;
             while (!parts[i].is_walked) {
                 parts[i].is_walked = true;
                 loops.back().second.push_back(parts[i].use);
                 const std::uint32_t corner = end_of(parts[i].use);
-                i = on_line.contains(corner) ? next_from(from_line, {parts[i].strip, corner}) : parts[i].next;
+                i = on_line.contains(corner) ? next_from(from_line, {parts[i].beyond, corner})
+                                             : parts[i].next;
             }
         }
         share_out(c, loops);
@@ -294,9 +299,9 @@ class Cutter {
     }
 
     // A cell for each outer loop, with the holes inside it.
-    void share_out(std::uint32_t c, const std::vector<std::pair<std::size_t, PlanCells::Loop>>& loops) {
+    void share_out(std::uint32_t c, const std::vector<std::pair<bool, PlanCells::Loop>>& loops) {
         std::vector<Ring> rings;
-        for (const auto& [strip, loop] : loops) rings.push_back(ring_of(loop));
+        for (const auto& [beyond, loop] : loops) rings.push_back(ring_of(loop));
         std::map<std::size_t, std::uint32_t> cell_of;  // by outer loop
         for (std::size_t i = 0; i < loops.size(); ++i)
             if (area_of(rings[i]) > 0) cell_of[i] = cell_of.empty() ? first_part(c) : further_part(c);
@@ -329,7 +334,7 @@ class Cutter {
 
     SmoothBrep& brep_;
     PlanCells& cells_;
-    std::vector<std::vector<double>> lines_;         // [sheet] ascending
+    const std::vector<double>& lines_;               // [cell] NAN = not to be cut
     std::vector<std::vector<Crossing>> crossings_;   // [edge]
     std::vector<std::vector<std::uint32_t>> parts_;  // [edge] in its direction
     std::map<std::uint32_t, double> line_of_;        // of corners on lines
@@ -337,9 +342,13 @@ class Cutter {
 
 }  // namespace
 
-void cut_into_strips(SmoothBrep& brep, const std::vector<char>& sheets, std::size_t spans) {
-    Cutter(brep, strip_lines(brep, sheets, spans)).cut();
+std::size_t halve_cells(SmoothBrep& brep, const std::vector<char>& which) {
+    const std::vector<double> lines = halving_lines(brep, which);
+    const auto cut = std::ranges::count_if(lines, [](double x) { return !std::isnan(x); });
+    if (cut == 0) return 0;
+    Cutter(brep, lines).cut();
     measure_edges(brep);
+    return static_cast<std::size_t>(cut);
 }
 
 }  // namespace stratareeb

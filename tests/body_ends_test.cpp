@@ -116,7 +116,8 @@ TEST(BodyEnds, are_opened_where_a_base_came_through_its_top_and_nowhere_else) {
             curves.lines[line].curve = {
                 brep.edges[e].curve.knots,
                 {brep.edges[e].curve.coefficients[0], brep.edges[e].curve.coefficients[1]}};
-    open_body_ends(brep.horizons, model, brep.cells, curves, kGap);
+    brep.horizons.gaps.assign(brep.cells.bodies.size(), kGap);
+    open_body_ends(brep.horizons, model, brep.cells, curves);
     EXPECT_GT(gaps_at_ends(brep).first, 0.25 * kGap);
     EXPECT_LT(gaps_at_ends(brep).second, 0.2);
     EXPECT_EQ(brep.horizons.sheets[2].z(inside), before);

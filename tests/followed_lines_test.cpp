@@ -55,12 +55,13 @@ Crossing crossing() {
     c.sheets.sheets = {patch([](double, double) { return 4; }), patch([](double, double) { return 0; }),
                        patch([](double x, double y) { return kSlope * (wave(x) - y) + kSlope * -2; }),
                        patch([](double, double) { return -60; })};
+    c.sheets.gaps.assign(c.cells.bodies.size(), kGap);
     return c;
 }
 
 TEST(FollowedLines, run_where_sheets_are_the_gap_apart) {
     const auto c = crossing();
-    const auto lines = followed_lines(c.cells, c.curves, c.sheets, kSize, kGap);
+    const auto lines = followed_lines(c.cells, c.curves, c.sheets, kSize);
     std::size_t inner = 0;
     for (std::size_t l = 0; l < lines.size(); ++l) {
         const auto& before = c.curves.lines[l].curve;
@@ -85,7 +86,7 @@ TEST(FollowedLines, run_where_sheets_are_the_gap_apart) {
 TEST(FollowedLines, do_not_go_further_than_a_quarter_of_an_edge) {
     auto c = crossing();
     c.sheets.sheets[2] = patch([](double, double y) { return kSlope * (70 - y); });
-    for (const auto& line : followed_lines(c.cells, c.curves, c.sheets, kSize, kGap))
+    for (const auto& line : followed_lines(c.cells, c.curves, c.sheets, kSize))
         for (const double y : line.coefficients[1])
             EXPECT_TRUE(y < 50 || y > 95 || line.coefficients[0][1] < 1 || line.coefficients[0][1] > 99) << y;
 }

@@ -126,6 +126,20 @@ TEST(HorizonSheets, stay_a_gap_apart_where_a_lens_ends_if_asked_to) {
     EXPECT_GT(on_line, 20u);
 }
 
+// A CAD program measures volumes from a point, so a slit around a thin lens counts as the cone over it.
+TEST(HorizonSheets, keep_gaps_in_proportion_to_thin_bodies) {
+    const auto thin = [](double x, double y) { return lens(x, y) / 600; };
+    const auto made = fitted(grid_model({.cells = 40,
+                                         .ground = wavy,
+                                         .thickness = {test::constant(5), thin, test::constant(5)},
+                                         .rounds = {{50, 50, 30}}}),
+                             1e-6);
+    ASSERT_EQ(made.horizons.gaps.size(), 3u);
+    EXPECT_EQ(made.horizons.gaps[0], 1e-6 * kSize);
+    EXPECT_LT(made.horizons.gaps[1], 5e-4 * 0.006);  // its mean is half of the 10 mm at its middle
+    EXPECT_GT(made.horizons.gaps[1], 5e-4 * 0.004);
+}
+
 TEST(HorizonSheets, have_the_volumes_asked_for) {
     const auto model = grid_model({.cells = 40,
                                    .ground = wavy,

@@ -35,6 +35,7 @@ struct Wedge {
     HorizonSheets sheets;
 
     explicit Wedge(double meets, double slope = 0.1) {
+        sheets.gaps.assign(cells.bodies.size(), 0);
         const auto flat = [](double z) { return [z](double) { return z; }; };
         sheets.sheets = {patch(flat(0)), patch(flat(-5)),
                          patch([=](double x) { return -5 - slope * (meets - x); }), patch(flat(-20))};

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "subdivision/smooth_brep.h"
 #include "tests/grid_model.h"
@@ -105,23 +106,47 @@ void expect_closed_bodies(const PlanCells& cells) {
     }
 }
 
+// Edges name just the faces whose loops they are in.
+void expect_meeting_as_told(const PlanCells& cells) {
+    std::vector<std::set<std::uint32_t>> meeting(cells.edges.size());
+    for (std::uint32_t c = 0; c < cells.cells.size(); ++c)
+        for (const auto& loop : cells.cells[c].loops)
+            for (const auto& use : loop) meeting[use.edge].insert(c);
+    for (std::size_t e = 0; e < cells.edges.size(); ++e) {
+        if (cells.edges[e].line == PlanCells::kNone) continue;
+        const auto& told = cells.edges[e].cells;
+        EXPECT_EQ(std::set(told.begin(), told.end()), meeting[e]) << "edge " << e;
+    }
+}
+
 double total(const SmoothBrep& brep, const std::vector<std::uint32_t>& list) {
     double sum = 0;
     for (const auto c : list) sum += area_of(brep, c);
     return sum;
 }
 
-class StripCells : public ::testing::TestWithParam<std::size_t> {};
+// All faces halved so many times.
+SmoothBrep halved(int times) {
+    SmoothBrep brep = uncut();
+    for (int i = 0; i < times; ++i) {
+        const std::size_t before = brep.cells.cells.size();
+        const std::size_t cut = halve_cells(brep, std::vector<char>(before, 1));
+        EXPECT_GT(cut, 0u);
+        EXPECT_GE(brep.cells.cells.size(), before + cut);  // a face with bays falls into more than two
+    }
+    return brep;
+}
+
+class StripCells : public ::testing::TestWithParam<int> {};
 
 TEST_P(StripCells, cover_what_the_faces_covered_and_close_every_body) {
-    SmoothBrep brep = uncut();
     std::vector<double> tops, bases;
-    for (const auto& body : brep.cells.bodies)
-        tops.push_back(total(brep, body.top)), bases.push_back(total(brep, body.base));
-    expect_closed_bodies(brep.cells);
-    const std::size_t faces = brep.cells.cells.size();
-    cut_into_strips(brep, std::vector<char>(brep.horizons.sheets.size(), 1), GetParam());
-    EXPECT_GT(brep.cells.cells.size(), faces + 3);
+    for (const auto& body : uncut().cells.bodies)
+        tops.push_back(total(uncut(), body.top)), bases.push_back(total(uncut(), body.base));
+    expect_closed_bodies(uncut().cells);
+    expect_meeting_as_told(uncut().cells);
+    const SmoothBrep brep = halved(GetParam());
+    EXPECT_GT(brep.cells.cells.size(), uncut().cells.cells.size() + 3);
     ASSERT_EQ(brep.horizons.of_cell.size(), brep.cells.cells.size());
     ASSERT_EQ(brep.corners.size(), brep.cells.corners.size());
     ASSERT_EQ(brep.edges.size(), brep.cells.edges.size());
@@ -139,18 +164,22 @@ TEST_P(StripCells, cover_what_the_faces_covered_and_close_every_body) {
     expect_closed_bodies(brep.cells);
 }
 
-TEST_P(StripCells, are_no_wider_than_asked_and_their_edges_lie_in_the_sheets) {
-    SmoothBrep brep = uncut();
-    cut_into_strips(brep, std::vector<char>(brep.horizons.sheets.size(), 1), GetParam());
+TEST_P(StripCells, have_half_of_the_spans_and_their_edges_lie_in_the_sheets) {
+    const SmoothBrep brep = halved(GetParam());
+    std::size_t widest = 0;
+    for (std::uint32_t c = 0; c < uncut().cells.cells.size(); ++c) {
+        const Span span = span_of(uncut(), c);
+        const CubicKnots& knots = uncut().sheet(c).x;
+        widest = std::max(widest, knots.span(span.high) - knots.span(span.low) + 1);
+    }
     for (std::uint32_t c = 0; c < brep.cells.cells.size(); ++c) {
         const Span span = span_of(brep, c);
         const CubicKnots& knots = brep.sheet(c).x;
         // A line gives way to corners by up to two spans.
-        EXPECT_LE(knots.span(span.high) - knots.span(span.low), GetParam() + 4) << "cell " << c;
-        for (const double x : brep.cuts[brep.horizons.of_cell[c]])
-            EXPECT_FALSE(span.low < x - 1e-6 * brep.size && x + 1e-6 * brep.size < span.high)
-                << "cell " << c << " goes on beyond the line " << x;
+        EXPECT_LE(knots.span(span.high) - knots.span(span.low) + 1, (widest >> GetParam()) + 5)
+            << "cell " << c;
     }
+    expect_meeting_as_told(brep.cells);
     for (std::size_t e = 0; e < brep.edges.size(); ++e) {
         const auto& edge = brep.cells.edges[e];
         if (edge.line == PlanCells::kNone) continue;
@@ -171,34 +200,32 @@ TEST_P(StripCells, are_no_wider_than_asked_and_their_edges_lie_in_the_sheets) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Spans, StripCells, ::testing::Values(28, 14, 7));
+INSTANTIATE_TEST_SUITE_P(Times, StripCells, ::testing::Values(1, 2, 3));
 
-TEST(StripCells, leave_sheets_alone_that_are_not_named) {
+TEST(StripCells, leave_faces_alone_that_are_not_named) {
     SmoothBrep brep = uncut();
     const std::size_t faces = brep.cells.cells.size(), edges = brep.edges.size();
-    cut_into_strips(brep, std::vector<char>(brep.horizons.sheets.size(), 0), 7);
+    std::vector<char> which(faces, 0);
+    EXPECT_EQ(halve_cells(brep, which), 0u);
     EXPECT_EQ(brep.cells.cells.size(), faces);
     EXPECT_EQ(brep.edges.size(), edges);
-    std::vector<char> ground(brep.horizons.sheets.size(), 0);
-    ground.front() = 1;
-    cut_into_strips(brep, ground, 7);
-    const auto cut = std::ranges::count(brep.horizons.of_cell, 0u);
-    EXPECT_EQ(brep.cells.cells.size() - faces + 1, static_cast<std::size_t>(cut));
-    EXPECT_GT(cut, 2);
+    which.front() = 1;
+    EXPECT_EQ(halve_cells(brep, which), 1u);
+    EXPECT_GT(brep.cells.cells.size(), faces);
+    for (std::uint32_t c = 1; c < faces; ++c)
+        EXPECT_NEAR(area_of(brep, c), area_of(uncut(), c), 1e-9 * area_of(uncut(), c));
+    expect_closed_bodies(brep.cells);
 }
 
-// Cut again, what is narrow enough stays.
-TEST(StripCells, are_cut_again_where_they_are_still_too_wide) {
+// However often, in whatever order: narrow faces stay whole in the end.
+TEST(StripCells, come_to_an_end) {
     SmoothBrep brep = uncut();
-    const std::vector<char> all(brep.horizons.sheets.size(), 1);
-    cut_into_strips(brep, all, 28);
-    const std::size_t wide = brep.cells.cells.size();
-    cut_into_strips(brep, all, 7);
-    EXPECT_GT(brep.cells.cells.size(), wide);
-    expect_closed_bodies(brep.cells);
-    const std::size_t narrow = brep.cells.cells.size();
-    cut_into_strips(brep, all, 28);
-    EXPECT_EQ(brep.cells.cells.size(), narrow);
+    std::size_t rounds = 0;
+    while (halve_cells(brep, std::vector<char>(brep.cells.cells.size(), 1)) > 0) {
+        expect_closed_bodies(brep.cells);
+        ASSERT_LT(++rounds, 20u);
+    }
+    EXPECT_GT(rounds, 2u);
 }
 
 }  // namespace

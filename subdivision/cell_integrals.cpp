@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "subdivision/cell_integrals.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "mesh/compensated_sum.h"
+
+namespace stratareeb {
+namespace {
+
+// Points and weights of Gauss and Legendre on [0, 1]: exact for cubics, and for polynomials of degree 9.
+constexpr std::array<double, 2> kCubic{0.21132486540518712, 0.78867513459481288};
+constexpr std::array<std::array<double, 2>, 5> kFive{{{0.046910077030668004, 0.11846344252809454},
+                                                      {0.23076534494715845, 0.23931433524968324},
+                                                      {0.5, 0.28444444444444444},
+                                                      {0.76923465505284155, 0.23931433524968324},
+                                                      {0.953089922969332, 0.11846344252809454}}};
+constexpr int kPartsASpan = 3;  // of an edge, which has a few spans of its sheet in each
+constexpr std::size_t kMostPoints = 61, kPointsASpan = 8;  // of CAD programs, across a face
+
+// Of a sheet along x, from its lower end.
+class AlongX {
+ public:
+    explicit AlongX(const HeightPatch& sheet) : sheet_(sheet), ny_(sheet.y.functions()) {
+        const auto& breaks = sheet.x.breaks();
+        before_.assign(breaks.size() * ny_, 0);
+        for (std::size_t s = 0; s + 1 < breaks.size(); ++s)
+            for (std::size_t j = 0; j < ny_; ++j)
+                before_[(s + 1) * ny_ + j] = before_[s * ny_ + j] + row(j, breaks[s], breaks[s + 1]);
+    }
+
+    double operator()(const Point2& p) const {
+        const std::size_t s = sheet_.x.span(p.x);
+        const auto vy = sheet_.y.values(p.y);
+        double sum = 0;
+        for (std::size_t j = 0; j < 4; ++j)
+            sum += vy.value[j] *
+                   (before_[s * ny_ + vy.first + j] + row(vy.first + j, sheet_.x.breaks()[s], p.x));
+        return sum;
+    }
+
+ private:
+    // Of the functions of x that go with the j-th of y, within a span.
+    double row(std::size_t j, double from, double to) const {
+        double sum = 0;
+        for (const double t : kCubic) {
+            const auto vx = sheet_.x.values(std::lerp(from, to, t));
+            for (std::size_t i = 0; i < 4; ++i)
+                sum += vx.value[i] * sheet_.coefficients[(vx.first + i) * ny_ + j];
+        }
+        return sum * (to - from) / 2;
+    }
+
+    const HeightPatch& sheet_;
+    std::size_t ny_;
+    std::vector<double> before_;  // [break of x][function of y]
+};
+
+template <typename Visit>  // visit(point, dx, dy), weighted: edges in the direction of their loops
+void along_edges(const SmoothBrep& brep, std::uint32_t cell, const Visit& visit) {
+    for (const auto& loop : brep.cells.cells[cell].loops)
+        for (const auto& use : loop) {
+            const SplineCurve& curve = brep.edges[use.edge].curve;
+            const auto& breaks = curve.knots.breaks();
+            for (std::size_t s = 0; s + 1 < breaks.size(); ++s)
+                for (int k = 0; k < kPartsASpan; ++k) {
+                    const double a = std::lerp(breaks[s], breaks[s + 1], k / double(kPartsASpan)),
+                                 b = std::lerp(breaks[s], breaks[s + 1], (k + 1) / double(kPartsASpan));
+                    for (const auto& [place, weight] : kFive) {
+                        const double t = std::lerp(a, b, place), w = weight * (use.forward ? b - a : a - b);
+                        visit(Point2{curve.at(0, t), curve.at(1, t)}, w * curve.at(0, t, 1),
+                              w * curve.at(1, t, 1));
+                    }
+                }
+        }
+}
+
+struct GaussRule {
+    std::vector<double> places, weights;  // on [0, 1]
+};
+
+// Roots of the n-th polynomial of Legendre, by Newton's method.
+GaussRule gauss_rule(std::size_t n) {
+    GaussRule rule;
+    for (std::size_t k = 0; k < n; ++k) {
+        double x =
+            std::cos(std::numbers::pi * (static_cast<double>(k) + 0.75) / (static_cast<double>(n) + 0.5));
+        double slope = 1;
+        for (int step = 0; step < 100; ++step) {
+            double before = 1, here = x;
+            for (std::size_t i = 2; i <= n; ++i) {
+                const auto m = static_cast<double>(i);
+                before = std::exchange(here, ((2 * m - 1) * x * here - (m - 1) * before) / m);
+            }
+            slope = static_cast<double>(n) * (x * here - before) / (x * x - 1);
+            const double by = here / slope;
+            x -= by;
+            if (std::abs(by) < 1e-15) break;
+        }
+        rule.places.push_back((1 - x) / 2);
+        rule.weights.push_back(1 / ((1 - x * x) * slope * slope));
+    }
+    return rule;
+}
+
+const GaussRule& cached_rule(std::size_t n) {
+    static const std::vector<GaussRule> rules = [] {
+        std::vector<GaussRule> all(1);
+        for (std::size_t k = 1; k <= kMostPoints; ++k) all.push_back(gauss_rule(k));
+        return all;
+    }();
+    return rules[n];
+}
+
+// What a cone gets along a line of equal y from x1 to p, by a rule.
+double cone_along_x(const HeightPatch& sheet, const Point3& from, double x1, const Point2& p,
+                    const GaussRule& rule) {
+    const std::size_t ny = sheet.y.functions();
+    const auto vy = sheet.y.values(p.y), dy = sheet.y.values(p.y, 1);
+    double sum = 0;
+    for (std::size_t k = 0; k < rule.places.size(); ++k) {
+        const double x = std::lerp(x1, p.x, rule.places[k]);
+        const auto vx = sheet.x.values(x), dx = sheet.x.values(x, 1);
+        double z = 0, along_x = 0, along_y = 0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const double* row = sheet.coefficients.data() + (vx.first + i) * ny + vy.first;
+            double value = 0, slope = 0;
+            for (std::size_t j = 0; j < 4; ++j) value += vy.value[j] * row[j], slope += dy.value[j] * row[j];
+            z += vx.value[i] * value, along_x += dx.value[i] * value, along_y += vx.value[i] * slope;
+        }
+        sum += rule.weights[k] * (z - from.z - (x - from.x) * along_x - (p.y - from.y) * along_y);
+    }
+    return sum * (p.x - x1) / 3;
+}
+
+// What edges reach of x and y.
+struct PlanReach {
+    double low_x = INFINITY, low_y = INFINITY, high_y = -INFINITY;
+};
+
+PlanReach reach_of(const SmoothBrep& brep, std::uint32_t cell) {
+    PlanReach reach;
+    along_edges(brep, cell, [&](const Point2& p, double, double) {
+        reach.low_x = std::min(reach.low_x, p.x);
+        reach.low_y = std::min(reach.low_y, p.y);
+        reach.high_y = std::max(reach.high_y, p.y);
+    });
+    for (const auto& loop : brep.cells.cells[cell].loops)
+        for (const auto& use : loop) {
+            const SplineCurve& curve = brep.edges[use.edge].curve;
+            for (const double t : curve.knots.breaks()) reach.low_x = std::min(reach.low_x, curve.at(0, t));
+        }
+    return reach;
+}
+
+}  // namespace
+
+CellIntegrals integrate_cell(const SmoothBrep& brep, std::uint32_t cell, const Point3& from) {
+    const HeightPatch& sheet = brep.sheet(cell);
+    const AlongX along_x(sheet);
+    CompensatedSum area, volume, moment;
+    along_edges(brep, cell, [&](const Point2& p, double dx, double dy) {
+        area.add((p.x - from.x) * dy);
+        volume.add(along_x(p) * dy);
+        moment.add(sheet.z(p) * ((p.x - from.x) * dy - (p.y - from.y) * dx));
+    });
+    return {area.value(), volume.value(), volume.value() - (from.z * area.value() + moment.value()) / 3};
+}
+
+double integration_error(const SmoothBrep& brep, std::uint32_t cell, const Point3& from) {
+    const HeightPatch& sheet = brep.sheet(cell);
+    const PlanReach reach = reach_of(brep, cell);
+    const std::size_t across = sheet.y.span(reach.high_y) - sheet.y.span(reach.low_y) + 1;
+    CompensatedSum cone;
+    for (const auto& loop : brep.cells.cells[cell].loops)
+        for (const auto& use : loop) {
+            const SplineCurve& curve = brep.edges[use.edge].curve;
+            const auto ends = cad_edge_ends(curve.knots);
+            for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+                const double a = curve.knots.breaks()[ends[k]], b = curve.knots.breaks()[ends[k + 1]];
+                const GaussRule& rule = cached_rule(
+                    std::min(kMostPoints, kPointsASpan * std::max(across, ends[k + 1] - ends[k])));
+                for (std::size_t i = 0; i < rule.places.size(); ++i) {
+                    const double t = std::lerp(a, b, rule.places[i]);
+                    cone.add(rule.weights[i] * (use.forward ? b - a : a - b) * curve.at(1, t, 1) *
+                             cone_along_x(sheet, from, reach.low_x, {curve.at(0, t), curve.at(1, t)}, rule));
+                }
+            }
+        }
+    return cone.value() - integrate_cell(brep, cell, from).cone;
+}
+
+double body_volume(const SmoothBrep& brep, const PlanCells::Body& body) {
+    CompensatedSum volume;
+    for (const auto c : body.top) volume.add(integrate_cell(brep, c).volume);
+    for (const auto c : body.base) volume.add(-integrate_cell(brep, c).volume);
+    return volume.value();
+}
+
+}  // namespace stratareeb

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "boreholes/point.h"
+#include "subdivision/smooth_brep.h"
+
+namespace stratareeb {
+
+//! What there is over a face's part of the plan, to rounding: integrals along its edges (G. Green, 1828) of splines that are
+//! integrated span by span.
+struct CellIntegrals {
+    double area = 0;    // in plan
+    double volume = 0;  // between the face and z = 0
+    double cone = 0;    // between the face and a point: what the face adds to a volume measured from there
+};
+
+//! \param from the point that `cone` is measured from
+CellIntegrals integrate_cell(const SmoothBrep& brep, std::uint32_t cell, const Point3& from = {});
+
+//! What CAD programs add to `cone` by mistake: OpenCASCADE integrates along each edge, and along x from the face's lowest x to
+//! the edge, with at most 61 points of Gauss, whatever the spans between (BRepGProp_Face, BRepGProp_Gauss of version 7.6).
+double integration_error(const SmoothBrep& brep, std::uint32_t cell, const Point3& from);
+
+//! Between top and base of a body.
+double body_volume(const SmoothBrep& brep, const PlanCells::Body& body);
+
+}  // namespace stratareeb
