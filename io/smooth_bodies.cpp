@@ -128,14 +128,14 @@ class Maker {
 
     // Lines that were moved may touch where many meet closely: then they stay where the model has them, if that is better.
     void hold_lines() {
-        const auto before = std::ranges::count(is_valid_, 0);
-        if (before == 0) return;
+        if (std::ranges::count(is_valid_, 0) == 0) return;
+        const auto before = count_faults();
         SmoothBrepOptions steady = fit_;
         steady.snap_lines = false;
         SmoothBrep moved = std::exchange(brep_, rebuild_smooth_brep(model_, brep_.horizons, steady));
         cut_into_strips();
         examine_all();
-        if (std::ranges::count(is_valid_, 0) < before) return;
+        if (count_faults() < before) return;
         brep_ = std::move(moved);
         examine_all();
     }

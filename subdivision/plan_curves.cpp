@@ -20,9 +20,11 @@ class Curves {
         for (std::uint32_t s = 0; s < cells_.sides.size(); ++s) curves.sides.push_back(side_curve(s));
         for (const auto& line : cells_.lines)
             if (line.side != PlanCells::kNone) place_ends(line, curves.sides[line.side]);
-        for (const auto& line : cells_.lines)
-            curves.lines.push_back(line.side == PlanCells::kNone ? inner_line(line)
+        for (std::uint32_t l = 0; l < cells_.lines.size(); ++l) {
+            const auto& line = cells_.lines[l];
+            curves.lines.push_back(line.side == PlanCells::kNone ? inner_line(line, tolerance_of(l))
                                                                  : rim_line(line, curves.sides[line.side]));
+        }
         return curves;
     }
 
@@ -45,10 +47,16 @@ class Curves {
         return result;
     }
 
-    SplineCurve fitted(const std::vector<Point2>& points, const std::vector<double>& parameters) const {
+    double tolerance_of(std::uint32_t line) const {
+        const auto it = moves_.closer.find(line);
+        return it == moves_.closer.end() ? tolerance_ : tolerance_ * std::pow(0.1, it->second);
+    }
+
+    static SplineCurve fitted(const std::vector<Point2>& points, const std::vector<double>& parameters,
+                              double tolerance) {
         std::vector<std::vector<double>> samples(2);
         for (const Point2& p : points) samples[0].push_back(p.x), samples[1].push_back(p.y);
-        return fit_spline(parameters, samples, {.tolerance = tolerance_, .most_spans = 2 * points.size()});
+        return fit_spline(parameters, samples, {.tolerance = tolerance, .most_spans = 2 * points.size()});
     }
 
     SideCurve side_curve(std::uint32_t number) {
@@ -62,7 +70,7 @@ class Curves {
         for (std::size_t i = 0; i < s.size(); ++i) along_[{number, side.vertices[i]}] = s[i];
         for (const auto& [key, length] : moves_.on_side)
             if (key.first == number) along_[key] = length;
-        if (!side.straight) result.curve = fitted(points, s);
+        if (!side.straight) result.curve = fitted(points, s, tolerance_);
         return result;
     }
 
@@ -115,13 +123,13 @@ class Curves {
         return result;
     }
 
-    LineCurve inner_line(const PlanCells::Line& line) const {
+    LineCurve inner_line(const PlanCells::Line& line, double tolerance) const {
         std::vector<Point2> points;
         for (const auto v : line.vertices) points.push_back(place(v));
         LineCurve result;
         result.parameters = lengths(points);
         result.curve = points.size() == 2 ? straight(points[0], points[1], result.parameters.back())
-                                          : fitted(points, result.parameters);
+                                          : fitted(points, result.parameters, tolerance);
         return result;
     }
 

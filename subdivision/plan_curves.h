@@ -34,7 +34,8 @@ struct PlanCurves {
 struct LineMoves {
     std::map<std::uint32_t, Point2> inner;  // by vertex
     std::map<std::pair<std::uint32_t, std::uint32_t>, double>
-        on_side;  // by side and vertex: the length up to it
+        on_side;                          // by side and vertex: the length up to it
+    std::map<std::uint32_t, int> closer;  // by line: how many times to fit it ten times as closely
 };
 
 //! Smooth curves within a tolerance of the vertices of sides and lines. Lines on a side are exactly parts of

@@ -11,6 +11,7 @@
 #include "mesh/compensated_sum.h"
 #include "subdivision/body_ends.h"
 #include "subdivision/cell_integrals.h"
+#include "subdivision/crossed_lines.h"
 #include "subdivision/followed_lines.h"
 #include "subdivision/sheet_gaps.h"
 #include "subdivision/snapped_lines.h"
@@ -22,6 +23,7 @@ constexpr std::uint32_t kNone = PlanCells::kNone;
 constexpr double kEdgeTolerance = 2e-7;  // of the size: curve from the height it follows
 constexpr double kLeastGap = 1e-6;       // of the size: between edges of a wall
 constexpr int kOrderRounds = 4;          // of halving spans of edges of a wall that are not in order
+constexpr int kUncrossRounds = 5;        // of taking moves of lines back
 constexpr double kEdgeSpan = 1.5;        // of the patches' spans around it
 constexpr int kSamplesASpan = 10;        // of an edge, for its tolerance
 constexpr std::size_t kMostEdgeSpans = 1500;
@@ -41,8 +43,7 @@ class Builder {
             sheets ? *sheets : fit_horizon_sheets(model_, brep_.cells, curves_, brep_.size, options_.sheets);
         const bool apart = has_gaps(brep_.horizons);
         if (options_.snap_lines) {
-            const auto moves = snapped_lines(plan_, brep_.cells, curves_, brep_.horizons, brep_.size);
-            curves_ = build_plan_curves(plan_, brep_.cells, options_.rim_tolerance * brep_.size, moves);
+            move_lines(snapped_lines(plan_, brep_.cells, curves_, brep_.horizons, brep_.size));
             brep_.sides = curves_.sides;
             if (apart) follow_gaps();
         }
@@ -59,9 +60,24 @@ class Builder {
     const std::vector<PlanCells::Cell>& cells() const { return brep_.cells.cells; }
     const std::vector<PlanCells::Body>& bodies() const { return brep_.cells.bodies; }
 
+    // Lines that would cross others stay, and are drawn more closely.
+    void move_lines(LineMoves moves) {
+        for (int round = 0;; ++round) {
+            curves_ = build_plan_curves(plan_, brep_.cells, options_.rim_tolerance * brep_.size, moves);
+            const auto crossed = crossed_lines(brep_.cells, curves_);
+            if (crossed.empty() || round == kUncrossRounds) return;
+            for (const auto l : crossed) {
+                if (round > 0) ++moves.closer[l];
+                for (const auto v : brep_.cells.lines[l].vertices) moves.inner.erase(v);
+            }
+        }
+    }
+
     void follow_gaps() {
         auto lines = followed_lines(brep_.cells, curves_, brep_.horizons, brep_.size);
-        for (std::size_t l = 0; l < lines.size(); ++l) curves_.lines[l].curve = std::move(lines[l]);
+        for (std::size_t l = 0; l < lines.size(); ++l) std::swap(curves_.lines[l].curve, lines[l]);
+        for (int round = 0; round < kUncrossRounds; ++round)
+            for (const auto l : crossed_lines(brep_.cells, curves_)) curves_.lines[l].curve = lines[l];
     }
 
     Point2 point(std::size_t v) const {
