@@ -12,7 +12,6 @@
 #include <tuple>
 #include <utility>
 
-#include "boreholes/errors.h"
 #include "io/coarse_facets.h"
 #include "io/smooth_shapes.h"
 #include "subdivision/integration_strips.h"
@@ -30,7 +29,6 @@ constexpr std::size_t kManyBodies = 40;  // that are fitted once, to come to an 
 constexpr double kEndGap = 1e-6;         // of the size
 constexpr std::size_t kManyFaces = 60;   // of a body
 constexpr double kMostCorrected = 0.1;   // of a body's volume, a time
-constexpr int kMostHalvings = 6;         // of a face, for how CAD programs integrate
 
 class Maker {
  public:
@@ -87,12 +85,14 @@ class Maker {
     void fit() {
         brep_ = build_smooth_brep(model_, fit_);
         most_off_ = std::min(options_.most_off * brep_.size, options_.most_of_relief * relief());
-        cut_into_strips();
-        examine_all();
+        cut_and_examine();
         hold_lines();
     }
 
-    void cut_into_strips() { cut_for_integration(brep_, kIntegrationShare * options_.volume_tolerance); }
+    void cut_and_examine() {
+        cut_for_integration(brep_, kIntegrationShare * options_.volume_tolerance);
+        examine_all();
+    }
 
     // With sheets a hair apart where bodies end, which CAD programs join best. Asks more of the sheets: false if a body has
     // faults, or so many faces that it is better done without.
@@ -133,8 +133,7 @@ class Maker {
         SmoothBrepOptions steady = fit_;
         steady.snap_lines = false;
         SmoothBrep moved = std::exchange(brep_, rebuild_smooth_brep(model_, brep_.horizons, steady));
-        cut_into_strips();
-        examine_all();
+        cut_and_examine();
         if (count_faults() < before) return;
         brep_ = std::move(moved);
         examine_all();

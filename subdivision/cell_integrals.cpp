@@ -2,7 +2,6 @@
 #include "subdivision/cell_integrals.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -13,73 +12,10 @@
 namespace stratareeb {
 namespace {
 
-// Points and weights of Gauss and Legendre on [0, 1]: exact for cubics, and for polynomials of degree 9.
-constexpr std::array<double, 2> kCubic{0.21132486540518712, 0.78867513459481288};
-constexpr std::array<std::array<double, 2>, 5> kFive{{{0.046910077030668004, 0.11846344252809454},
-                                                      {0.23076534494715845, 0.23931433524968324},
-                                                      {0.5, 0.28444444444444444},
-                                                      {0.76923465505284155, 0.23931433524968324},
-                                                      {0.953089922969332, 0.11846344252809454}}};
 constexpr int kPartsASpan = 3;  // of an edge, which has a few spans of its sheet in each
 constexpr std::size_t kMostPoints = 61, kPointsASpan = 8;  // of CAD programs, across a face
 
-// Of a sheet along x, from its lower end.
-class AlongX {
- public:
-    explicit AlongX(const HeightPatch& sheet) : sheet_(sheet), ny_(sheet.y.functions()) {
-        const auto& breaks = sheet.x.breaks();
-        before_.assign(breaks.size() * ny_, 0);
-        for (std::size_t s = 0; s + 1 < breaks.size(); ++s)
-            for (std::size_t j = 0; j < ny_; ++j)
-                before_[(s + 1) * ny_ + j] = before_[s * ny_ + j] + row(j, breaks[s], breaks[s + 1]);
-    }
-
-    double operator()(const Point2& p) const {
-        const std::size_t s = sheet_.x.span(p.x);
-        const auto vy = sheet_.y.values(p.y);
-        double sum = 0;
-        for (std::size_t j = 0; j < 4; ++j)
-            sum += vy.value[j] *
-                   (before_[s * ny_ + vy.first + j] + row(vy.first + j, sheet_.x.breaks()[s], p.x));
-        return sum;
-    }
-
- private:
-    // Of the functions of x that go with the j-th of y, within a span.
-    double row(std::size_t j, double from, double to) const {
-        double sum = 0;
-        for (const double t : kCubic) {
-            const auto vx = sheet_.x.values(std::lerp(from, to, t));
-            for (std::size_t i = 0; i < 4; ++i)
-                sum += vx.value[i] * sheet_.coefficients[(vx.first + i) * ny_ + j];
-        }
-        return sum * (to - from) / 2;
-    }
-
-    const HeightPatch& sheet_;
-    std::size_t ny_;
-    std::vector<double> before_;  // [break of x][function of y]
-};
-
-template <typename Visit>  // visit(point, dx, dy), weighted: edges in the direction of their loops
-void along_edges(const SmoothBrep& brep, std::uint32_t cell, const Visit& visit) {
-    for (const auto& loop : brep.cells.cells[cell].loops)
-        for (const auto& use : loop) {
-            const SplineCurve& curve = brep.edges[use.edge].curve;
-            const auto& breaks = curve.knots.breaks();
-            for (std::size_t s = 0; s + 1 < breaks.size(); ++s)
-                for (int k = 0; k < kPartsASpan; ++k) {
-                    const double a = std::lerp(breaks[s], breaks[s + 1], k / double(kPartsASpan)),
-                                 b = std::lerp(breaks[s], breaks[s + 1], (k + 1) / double(kPartsASpan));
-                    for (const auto& [place, weight] : kFive) {
-                        const double t = std::lerp(a, b, place), w = weight * (use.forward ? b - a : a - b);
-                        visit(Point2{curve.at(0, t), curve.at(1, t)}, w * curve.at(0, t, 1),
-                              w * curve.at(1, t, 1));
-                    }
-                }
-        }
-}
-
+//! Of Gauss and Legendre.
 struct GaussRule {
     std::vector<double> places, weights;  // on [0, 1]
 };
@@ -115,6 +51,65 @@ const GaussRule& cached_rule(std::size_t n) {
         return all;
     }();
     return rules[n];
+}
+
+// Of a sheet along x, from its lower end.
+class AlongX {
+ public:
+    explicit AlongX(const HeightPatch& sheet) : sheet_(sheet), ny_(sheet.y.functions()) {
+        const auto& breaks = sheet.x.breaks();
+        before_.assign(breaks.size() * ny_, 0);
+        for (std::size_t s = 0; s + 1 < breaks.size(); ++s)
+            for (std::size_t j = 0; j < ny_; ++j)
+                before_[(s + 1) * ny_ + j] = before_[s * ny_ + j] + row(j, breaks[s], breaks[s + 1]);
+    }
+
+    double operator()(const Point2& p) const {
+        const std::size_t s = sheet_.x.span(p.x);
+        const auto vy = sheet_.y.values(p.y);
+        double sum = 0;
+        for (std::size_t j = 0; j < 4; ++j)
+            sum += vy.value[j] *
+                   (before_[s * ny_ + vy.first + j] + row(vy.first + j, sheet_.x.breaks()[s], p.x));
+        return sum;
+    }
+
+ private:
+    // Of the functions of x that go with the j-th of y, within a span.
+    double row(std::size_t j, double from, double to) const {
+        double sum = 0;
+        for (const double t : cached_rule(2).places) {  // of equal weights, exact for cubics
+            const auto vx = sheet_.x.values(std::lerp(from, to, t));
+            for (std::size_t i = 0; i < 4; ++i)
+                sum += vx.value[i] * sheet_.coefficients[(vx.first + i) * ny_ + j];
+        }
+        return sum * (to - from) / 2;
+    }
+
+    const HeightPatch& sheet_;
+    std::size_t ny_;
+    std::vector<double> before_;  // [break of x][function of y]
+};
+
+template <typename Visit>  // visit(point, dx, dy), weighted: edges in the direction of their loops
+void along_edges(const SmoothBrep& brep, std::uint32_t cell, const Visit& visit) {
+    const GaussRule& five = cached_rule(5);
+    for (const auto& loop : brep.cells.cells[cell].loops)
+        for (const auto& use : loop) {
+            const SplineCurve& curve = brep.edges[use.edge].curve;
+            const auto& breaks = curve.knots.breaks();
+            for (std::size_t s = 0; s + 1 < breaks.size(); ++s)
+                for (int k = 0; k < kPartsASpan; ++k) {
+                    const double a = std::lerp(breaks[s], breaks[s + 1], k / double(kPartsASpan)),
+                                 b = std::lerp(breaks[s], breaks[s + 1], (k + 1) / double(kPartsASpan));
+                    for (std::size_t i = 0; i < five.places.size(); ++i) {
+                        const double t = std::lerp(a, b, five.places[i]),
+                                     w = five.weights[i] * (use.forward ? b - a : a - b);
+                        visit(Point2{curve.at(0, t), curve.at(1, t)}, w * curve.at(0, t, 1),
+                              w * curve.at(1, t, 1));
+                    }
+                }
+        }
 }
 
 // What a cone gets along a line of equal y from x1 to p, by a rule.

@@ -76,8 +76,11 @@ class Builder {
     void follow_gaps() {
         auto lines = followed_lines(brep_.cells, curves_, brep_.horizons, brep_.size);
         for (std::size_t l = 0; l < lines.size(); ++l) std::swap(curves_.lines[l].curve, lines[l]);
-        for (int round = 0; round < kUncrossRounds; ++round)
-            for (const auto l : crossed_lines(brep_.cells, curves_)) curves_.lines[l].curve = lines[l];
+        for (int round = 0; round < kUncrossRounds; ++round) {
+            const auto crossed = crossed_lines(brep_.cells, curves_);
+            if (crossed.empty()) return;
+            for (const auto l : crossed) curves_.lines[l].curve = lines[l];
+        }
     }
 
     Point2 point(std::size_t v) const {
