@@ -25,7 +25,7 @@ constexpr double kFacetShare = 0.02;  // of the thinnest body's mean thickness: 
 constexpr int kRetries = 2;           // of the fit, while bodies have faults
 // Of all sheets together, so that a model of hundreds of bodies comes to an end; and of one sheet at least.
 constexpr std::size_t kAllFunctions = 300'000, kLeastFunctions = 1'000;
-constexpr std::size_t kManyBodies = 40;  // that are fitted once, to come to an end
+constexpr std::size_t kManyBodies = 40;  // that are fitted twice, to come to an end
 constexpr double kEndGap = 1e-6;         // of the size
 constexpr std::size_t kManyFaces = 60;   // of a body
 constexpr double kMostCorrected = 0.1;   // of a body's volume, a time
@@ -41,7 +41,7 @@ class Maker {
         most = std::min(most, std::max(kLeastFunctions, kAllFunctions / std::max<std::size_t>(bodies, 1)));
         if (bodies > kManyBodies || !fit_apart()) {
             fit();
-            const int retries = shapes_.size() > kManyBodies ? 0 : kRetries;
+            const int retries = shapes_.size() > kManyBodies ? 1 : kRetries;
             for (int round = 0; round < retries && count_faults() > 0; ++round) try_again(round > 0);
         }
         make_facets();
@@ -101,6 +101,7 @@ class Maker {
         fit();
         if (count_faults() > 0 && count_faults() == std::ranges::count(is_volume_wrong_, 1)) try_again(false);
         fit_.sheets.end_gap = 0;
+        fit_.sheets.volume_factors.clear();  // they allow for the slits of these sheets
         return count_faults() == 0 && std::ranges::all_of(shapes_, [](const auto& shape) {
                    return count_faces(*shape) <= kManyFaces;
                });
