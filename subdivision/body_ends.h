@@ -4,9 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "subdivision/horizon_sheets.h"
 #include "subdivision/plan_cells.h"
-#include "subdivision/plan_curves.h"
 
 namespace stratareeb {
 
@@ -20,11 +18,5 @@ struct BodyEnd {
 //! \return [body]
 std::vector<std::vector<BodyEnd>> body_ends(const PlanCells& cells,
                                             const std::vector<std::uint32_t>& of_cell);
-
-//! Lower bases along the curves where their bodies end, by as little as does, until none lies higher than half its gap below
-//! the sheet above: where sheets cross inside a body, CAD programs find a new edge beside the one that ends it.
-//! Thicknesses are measured anew.
-void open_body_ends(HorizonSheets& sheets, const LayerModel& model, const PlanCells& cells,
-                    const PlanCurves& curves);
 
 }  // namespace stratareeb

@@ -235,6 +235,21 @@ void lower_at(HeightPatch& patch, const Point2& at, double by) {
                 by * vx.value[i] * vy.value[j] / (square_x * square_y);
 }
 
+void tilt_at(HeightPatch& patch, const Point2& at, const Point2& direction, double by) {
+    const auto vx = patch.x.values(at.x), vy = patch.y.values(at.y), dx = patch.x.values(at.x, 1),
+               dy = patch.y.values(at.y, 1);
+    const auto slope = [&](std::size_t i, std::size_t j) {
+        return direction.x * dx.value[i] * vy.value[j] + direction.y * vx.value[i] * dy.value[j];
+    };
+    double square = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j) square += slope(i, j) * slope(i, j);
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j)
+            patch.coefficients[(vx.first + i) * patch.y.functions() + vy.first + j] +=
+                by * slope(i, j) / square;
+}
+
 HeightFit fit_height_patch(const HeightSamples& samples, const HeightFitOptions& options) {
     return HeightFitter(samples, options).fit();
 }

@@ -25,6 +25,9 @@ struct HeightPatch {
 //! Lower a patch at a place, by the least change of coefficients (S. Kaczmarz, 1937).
 void lower_at(HeightPatch& patch, const Point2& at, double by);
 
+//! The same for its slope in a direction of unit length.
+void tilt_at(HeightPatch& patch, const Point2& at, const Point2& direction, double by);
+
 //! A height that a patch is to have at a place.
 struct HeightSample {
     Point2 at;

@@ -9,10 +9,10 @@
 #include <numeric>
 
 #include "mesh/compensated_sum.h"
-#include "subdivision/body_ends.h"
 #include "subdivision/cell_integrals.h"
 #include "subdivision/crossed_lines.h"
 #include "subdivision/followed_lines.h"
+#include "subdivision/open_ends.h"
 #include "subdivision/sheet_gaps.h"
 #include "subdivision/snapped_lines.h"
 

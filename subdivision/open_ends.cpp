@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "subdivision/open_ends.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "subdivision/body_ends.h"
+
+namespace stratareeb {
+namespace {
+
+constexpr double kStep = 0.1;         // of a curve's spans and of those of the base under it, along the curve
+constexpr int kMostSweeps = 100;      // over all places of a body
+constexpr int kPullSweeps = 20;       // the first of them: that also lift a base again where it ends
+constexpr double kLeastGap = 0.5;     // of the gap
+constexpr double kLeastShare = 0.05;  // of the model's thickness at a place
+constexpr double kLeastOpening = 5e-4;  // slope of the thickness; what CAD programs tell apart is 4e-4
+constexpr double kReach = 0.4;  // of a line's mean edge, and of the way to its end: how far into the body
+constexpr double kInland =
+    0.35;  // of a triangle at an end: how far from it places are inside wherever the line went
+constexpr double kNear = 0.1;     // of the mean thickness: places that are open further need no look
+constexpr double kValley = 0.01;  // the same for places between them
+constexpr double kInReach = 0.9;  // of the way to the next places: lows further away are theirs
+constexpr int kValleyRounds = 50, kValleySteps = 16;                    // down to a low
+constexpr double kPlacesASpan = 5, kLeastPlaces = 4, kMostPlaces = 64;  // along an edge, into a body
+
+double width_at(const CubicKnots& knots, double at) {
+    const std::size_t s = knots.span(at);
+    return knots.breaks()[s + 1] - knots.breaks()[s];
+}
+
+double span_at(const HeightPatch& patch, const Point2& p) {
+    return std::min(width_at(patch.x, p.x), width_at(patch.y, p.y));
+}
+
+// So many that places are a share of a span apart.
+int places_along(double length, double span) {
+    return static_cast<int>(std::ceil(std::clamp(kPlacesASpan * length / span, kLeastPlaces, kMostPlaces)));
+}
+
+double distance(const Point2& a, const Point2& b) {
+    return std::hypot(b.x - a.x, b.y - a.y);
+}
+
+// Where a base is to be below the sheet above: by `least`, and where it is not, by `wanted`.
+struct Place {
+    Point2 at;
+    double top, least, wanted;
+    const HeightPatch* sheet;  // above
+    double reach;              // as far as the next places
+};
+
+// Where a body is to open.
+struct Mouth {
+    Point2 at, inward;
+    double top_slope;
+};
+
+// One body's base.
+class Opener {
+ public:
+    Opener(HorizonSheets& sheets, const LayerModel& model, const PlanCells& cells, const PlanCurves& curves,
+           std::uint32_t body, const std::vector<BodyEnd>& ends)
+        : sheets_(sheets),
+          model_(model),
+          cells_(cells),
+          curves_(curves),
+          body_(cells.bodies[body]),
+          base_(sheets.sheets[body + 1]),
+          gap_(sheets.gaps[body]) {
+        mean_thickness_ = mean_thickness();
+        for (const auto c : body_.top)
+            for (const auto f : cells_.cells[c].faces) look_at(f, sheets_.sheets[sheets_.of_cell[c]]);
+        for (const BodyEnd& end : ends) look_along(end);
+        for (const Place& end : ends_) at_first_.push_back(std::max(open(end), end.wanted));
+    }
+
+    void run() {
+        bend();
+        for (int round = 0; round < kValleyRounds && find_valleys(); ++round) bend();
+    }
+
+    double least_thickness() const {
+        double least = INFINITY;
+        for (const Place& p : inside_) least = std::min(least, open(p));
+        return least;
+    }
+
+ private:
+    void bend() {
+        bool any = true;
+        for (int sweep = 0; sweep < kMostSweeps && any; ++sweep) {
+            any = false;
+            if (sweep < kPullSweeps) pull_ends();
+            any |= lower(ends_);
+            any |= tilt();
+            any |= lower(inside_);
+            any |= lower(thin_);
+        }
+    }
+
+    double open(const Place& p) const { return p.top - base_.z(p.at); }
+
+    bool lower(const std::vector<Place>& places) {
+        bool any = false;
+        for (const Place& p : places) {
+            const double now = open(p);
+            if (now >= p.least) continue;
+            lower_at(base_, p.at, p.wanted - now);
+            any = true;
+        }
+        return any;
+    }
+
+    // Between places, where the sheets come nearest to each other.
+    bool find_valleys() {
+        std::vector<Place> valleys;
+        for (const Place& p : thin_) {
+            if (open(p) > kValley * mean_thickness_ + p.wanted) continue;
+            const Point2 at = lowest(p);
+            if (distance(at, p.at) > kInReach * p.reach) continue;  // it goes on from another place
+            const Place valley{at, p.sheet->z(at), p.least, p.wanted, p.sheet, p.reach};
+            if (open(valley) < p.least) valleys.push_back(valley);
+        }
+        thin_.insert(thin_.end(), valleys.begin(), valleys.end());
+        return !valleys.empty();
+    }
+
+    // Down the slope of the thickness, in ever shorter steps.
+    Point2 lowest(const Place& p) const {
+        Point2 here = p.at;
+        double best = open(p), step = p.reach / 2;
+        for (int i = 0; i < kValleySteps; ++i) {
+            const Point2 g = p.sheet->gradient(here), h = base_.gradient(here);
+            const double slope = distance(g, h);
+            if (!(slope > 0)) break;
+            const Point2 there{here.x - step * (g.x - h.x) / slope, here.y - step * (g.y - h.y) / slope};
+            const double then = p.sheet->z(there) - base_.z(there);
+            if (then < best)
+                here = there, best = then;
+            else
+                step /= 2;
+            if (distance(here, p.at) > p.reach) break;
+        }
+        return here;
+    }
+
+    // No further from the sheet above than they were, if that can be.
+    void pull_ends() {
+        for (std::size_t i = 0; i < ends_.size(); ++i) {
+            const double now = open(ends_[i]);
+            if (now > at_first_[i]) lower_at(base_, ends_[i].at, at_first_[i] - now);
+        }
+    }
+
+    bool tilt() {
+        bool any = false;
+        for (const Mouth& m : mouths_) {
+            const Point2 g = base_.gradient(m.at);
+            const double opening = m.top_slope - (g.x * m.inward.x + g.y * m.inward.y);
+            if (opening >= kLeastOpening) continue;
+            tilt_at(base_, m.at, m.inward, opening - 2 * kLeastOpening);
+            any = true;
+        }
+        return any;
+    }
+
+    double mean_thickness() const {
+        double volume = 0, in_plan = 0;
+        for (const auto f : body_.faces) {
+            const double area = model_.plan.surface.calc_face_area(model_.plan.surface.face_handle(f));
+            in_plan += area;
+            for (const auto v : model_.plan.surface.fv_range(model_.plan.surface.face_handle(f)))
+                volume += area * model_.thickness(body_.layer, static_cast<std::size_t>(v.idx())) / 3;
+        }
+        return volume / in_plan;
+    }
+
+    // Vertices where the body has thickness and the centre of a triangle; if it is at an end or thin, places all over it.
+    void look_at(std::uint32_t face, const HeightPatch& top) {
+        const TriMesh& plan = model_.plan.surface;
+        std::array<Point2, 3> p;
+        std::array<double, 3> zero{};
+        double mean = 0, least = INFINITY;
+        std::size_t n = 0;
+        for (const auto v : plan.fv_range(plan.face_handle(face))) {
+            const auto i = static_cast<std::size_t>(v.idx());
+            const double thickness = model_.thickness(body_.layer, i);
+            p[n] = {plan.point(v)[0], plan.point(v)[1]};
+            zero[n] = model_.regions.zero_at[i][body_.layer] ? 1 : 0;
+            mean += thickness / 3;
+            least = std::min(least, top.z(p[n]) - base_.z(p[n]));
+            if (zero[n] == 0) add_inside(p[n], top, thickness);
+            ++n;
+        }
+        add_inside({(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3}, top, mean);
+        if (zero[0] + zero[1] + zero[2] == 0 &&
+            std::min(least, open(inside_.back())) >= kNear * mean_thickness_)
+            return;
+        const double longest = std::max({distance(p[0], p[1]), distance(p[1], p[2]), distance(p[2], p[0])});
+        const int places = places_along(
+            longest, std::min({span_at(base_, p[0]), span_at(base_, p[1]), span_at(base_, p[2])}));
+        for (int i = 0; i <= places; ++i)
+            for (int j = 0; i + j <= places; ++j) {
+                const double u = i / double(places), v = j / double(places), w = 1 - u - v;
+                if (w * zero[0] + u * zero[1] + v * zero[2] > 1 - kInland) continue;
+                add_thin({w * p[0].x + u * p[1].x + v * p[2].x, w * p[0].y + u * p[1].y + v * p[2].y}, top,
+                         longest / places);
+            }
+    }
+
+    void add_inside(const Point2& at, const HeightPatch& top, double thickness) {
+        inside_.push_back({at, top.z(at), kLeastShare * thickness, 2 * kLeastShare * thickness, &top, 0});
+    }
+
+    void add_thin(const Point2& at, const HeightPatch& top, double reach) {
+        const Place place{at, top.z(at), kLeastGap * gap_, gap_, &top, reach};
+        if (open(place) < kNear * mean_thickness_) thin_.push_back(place);
+    }
+
+    // The sheet above the body beside an edge, and on which side of its line the body is: 1 = left, -1 = right, 0 = both.
+    std::pair<const HeightPatch*, double> inside_of(const BodyEnd& end) const {
+        const HeightPatch* top = nullptr;
+        double side = 0;
+        for (const auto c : body_.top)
+            for (const auto& loop : cells_.cells[c].loops)
+                for (const auto& use : loop)
+                    if (use.edge == end.edge) {
+                        side += use.forward ? 1 : -1;
+                        top = &sheets_.sheets[sheets_.of_cell[c]];
+                    }
+        return {top, side};
+    }
+
+    void look_along(const BodyEnd& end) {
+        const LineCurve& line = curves_.lines[cells_.edges[end.edge].line];
+        const SplineCurve& curve = line.curve;
+        const auto [top, side] = inside_of(end);
+        const double first = curve.knots.low(), last = curve.knots.high();
+        const double edge = (last - first) / static_cast<double>(line.parameters.size() - 1);
+        for (double t = first;;) {
+            const Point2 p{curve.at(0, t), curve.at(1, t)}, way{curve.at(0, t, 1), curve.at(1, t, 1)};
+            ends_.push_back(
+                {p, sheets_.sheets[end.above].z(p), kLeastGap * gap_, gap_, &sheets_.sheets[end.above], 0});
+            const double speed = std::hypot(way.x, way.y);
+            if (side != 0 && speed > 0)
+                look_inwards(p, {-side * way.y / speed, side * way.x / speed}, *top,
+                             kReach * std::min({edge, t - first, last - t}));
+            if (t == last) return;
+            t = std::min(last, t + kStep * std::min(span_at(base_, p), width_at(curve.knots, t)));
+        }
+    }
+
+    void look_inwards(const Point2& p, const Point2& inward, const HeightPatch& top, double reach) {
+        const Point2 g = top.gradient(p);
+        mouths_.push_back({p, inward, g.x * inward.x + g.y * inward.y});
+        if (!(reach > 0)) return;
+        const int places = places_along(reach, span_at(base_, p));
+        for (int k = 1; k <= places; ++k)
+            add_thin({p.x + reach * k / places * inward.x, p.y + reach * k / places * inward.y}, top,
+                     reach / places);
+    }
+
+    const HorizonSheets& sheets_;
+    const LayerModel& model_;
+    const PlanCells& cells_;
+    const PlanCurves& curves_;
+    const PlanCells::Body& body_;
+    HeightPatch& base_;
+    double gap_;
+    double mean_thickness_ = 0;
+    std::vector<Place> inside_, thin_, ends_;
+    std::vector<double> at_first_;  // [ends_] how far open
+    std::vector<Mouth> mouths_;
+};
+
+}  // namespace
+
+void open_body_ends(HorizonSheets& sheets, const LayerModel& model, const PlanCells& cells,
+                    const PlanCurves& curves) {
+    const auto ends = body_ends(cells, sheets.of_cell);
+    for (std::uint32_t b = 0; b < ends.size(); ++b) {  // from the top: those above are lowered first
+        Opener opener(sheets, model, cells, curves, b, ends[b]);
+        opener.run();
+        sheets.least_thickness[b] = opener.least_thickness();
+    }
+}
+
+}  // namespace stratareeb
