@@ -22,13 +22,13 @@ namespace {
 constexpr double kIntegrationShare =
     0.4;                              // of the volume that a body may be off, for how CAD programs integrate
 constexpr double kFacetShare = 0.02;  // of the thinnest body's mean thickness: what facets may be off
-constexpr int kRetries = 2;           // of the fit, while bodies have faults
+constexpr int kRetries = 3;           // of the fit, while bodies have faults
 // Of all sheets together, so that a model of hundreds of bodies comes to an end; and of one sheet at least.
 constexpr std::size_t kAllFunctions = 300'000, kLeastFunctions = 1'000;
 constexpr std::size_t kManyBodies = 40;  // that are fitted twice, to come to an end
 constexpr double kEndGap = 1e-6;         // of the size
 constexpr std::size_t kManyFaces = 60;   // of a body
-constexpr double kMostCorrected = 0.1;   // of a body's volume, a time
+constexpr double kMostCorrected = 0.3;   // of a body's volume, a time
 
 class Maker {
  public:
@@ -42,7 +42,8 @@ class Maker {
         if (bodies > kManyBodies || !fit_apart()) {
             fit();
             const int retries = shapes_.size() > kManyBodies ? 1 : kRetries;
-            for (int round = 0; round < retries && count_faults() > 0; ++round) try_again(round > 0);
+            for (int round = 0; round < retries && count_faults() > 0; ++round)
+                try_again(round > 0 && !are_only_volumes_wrong());
         }
         make_facets();
         SmoothBodies result;
@@ -99,17 +100,22 @@ class Maker {
     bool fit_apart() {
         fit_.sheets.end_gap = kEndGap;
         fit();
-        if (count_faults() > 0 && count_faults() == std::ranges::count(is_volume_wrong_, 1)) try_again(false);
+        if (count_faults() > 0 && have_few_faces() && are_only_volumes_wrong()) try_again(false);
         fit_.sheets.end_gap = 0;
         fit_.sheets.volume_factors.clear();  // they allow for the slits of these sheets
-        return count_faults() == 0 && std::ranges::all_of(shapes_, [](const auto& shape) {
-                   return count_faces(*shape) <= kManyFaces;
-               });
+        return count_faults() == 0 && have_few_faces();
+    }
+
+    bool have_few_faces() const {
+        return std::ranges::all_of(shapes_,
+                                   [](const auto& shape) { return count_faces(*shape) <= kManyFaces; });
     }
 
     std::ptrdiff_t count_faults() const {
         return std::ranges::count_if(faults_, [](const auto& fault) { return !fault.empty(); });
     }
+
+    bool are_only_volumes_wrong() const { return count_faults() == std::ranges::count(is_volume_wrong_, 1); }
 
     // Fits again for volumes as the lines that were moved left them, and with more functions; keeps what is better.
     void try_again(bool with_more) {
