@@ -4,6 +4,7 @@
 #include <algorithm>
 
 namespace stratareeb {
+
 std::vector<std::vector<BodyEnd>> body_ends(const PlanCells& cells,
                                             const std::vector<std::uint32_t>& of_cell) {
     std::vector<std::vector<BodyEnd>> ends(cells.bodies.size());

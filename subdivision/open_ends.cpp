@@ -49,8 +49,8 @@ double distance(const Point2& a, const Point2& b) {
 struct Place {
     Point2 at;
     double top, least, wanted;
-    const HeightPatch* sheet;  // above
-    double reach;              // as far as the next places
+    const HeightPatch* sheet = nullptr;  // above, to look for lows around
+    double reach = 0;                    // as far as the next places
 };
 
 // Where a body is to open.
@@ -122,7 +122,8 @@ class Opener {
             if (open(p) > kValley * mean_thickness_ + p.wanted) continue;
             const Point2 at = lowest(p);
             if (distance(at, p.at) > kInReach * p.reach) continue;  // it goes on from another place
-            const Place valley{at, p.sheet->z(at), p.least, p.wanted, p.sheet, p.reach};
+            Place valley = p;
+            valley.at = at, valley.top = p.sheet->z(at);
             if (open(valley) < p.least) valleys.push_back(valley);
         }
         thin_.insert(thin_.end(), valleys.begin(), valleys.end());
@@ -213,7 +214,7 @@ class Opener {
     }
 
     void add_inside(const Point2& at, const HeightPatch& top, double thickness) {
-        inside_.push_back({at, top.z(at), kLeastShare * thickness, 2 * kLeastShare * thickness, &top, 0});
+        inside_.push_back({at, top.z(at), kLeastShare * thickness, 2 * kLeastShare * thickness});
     }
 
     void add_thin(const Point2& at, const HeightPatch& top, double reach) {
@@ -243,8 +244,7 @@ class Opener {
         const double edge = (last - first) / static_cast<double>(line.parameters.size() - 1);
         for (double t = first;;) {
             const Point2 p{curve.at(0, t), curve.at(1, t)}, way{curve.at(0, t, 1), curve.at(1, t, 1)};
-            ends_.push_back(
-                {p, sheets_.sheets[end.above].z(p), kLeastGap * gap_, gap_, &sheets_.sheets[end.above], 0});
+            ends_.push_back({p, sheets_.sheets[end.above].z(p), kLeastGap * gap_, gap_});
             const double speed = std::hypot(way.x, way.y);
             if (side != 0 && speed > 0)
                 look_inwards(p, {-side * way.y / speed, side * way.x / speed}, *top,

@@ -23,21 +23,26 @@ inline LayerModel lens_model(const Field& thickness = lens) {
                        .rounds = {{50, 50, 30}}});
 }
 
+// Places along a curve, ten a span.
+template <typename Visit>
+void each_place_along(const SplineCurve& curve, const Visit& visit) {
+    const auto& breaks = curve.knots.breaks();
+    for (std::size_t s = 0; s + 1 < breaks.size(); ++s)
+        for (double k = 0.05; k < 1; k += 0.1) {
+            const double t = std::lerp(breaks[s], breaks[s + 1], k);
+            visit(t, Point2{curve.at(0, t), curve.at(1, t)});
+        }
+}
+
 // The least and the largest height of sheet 1 (the lens's top) above sheet 2 (its base) along the lines where the lens ends.
 inline std::pair<double, double> gaps_at_ends(const SmoothBrep& brep) {
     double least = INFINITY, most = -INFINITY;
     const auto ends = body_ends(brep.cells, brep.horizons.of_cell);
-    for (const BodyEnd& end : ends[1]) {
-        const SplineCurve& curve = brep.edges[end.edge].curve;
-        const auto& breaks = curve.knots.breaks();
-        for (std::size_t s = 0; s + 1 < breaks.size(); ++s)
-            for (double k = 0.05; k < 1; k += 0.1) {
-                const double t = std::lerp(breaks[s], breaks[s + 1], k);
-                const Point2 p{curve.at(0, t), curve.at(1, t)};
-                const double gap = brep.horizons.sheets[1].z(p) - brep.horizons.sheets[2].z(p);
-                least = std::min(least, gap), most = std::max(most, gap);
-            }
-    }
+    for (const BodyEnd& end : ends[1])
+        each_place_along(brep.edges[end.edge].curve, [&](double, const Point2& p) {
+            const double gap = brep.horizons.sheets[1].z(p) - brep.horizons.sheets[2].z(p);
+            least = std::min(least, gap), most = std::max(most, gap);
+        });
     return {least, most};
 }
 

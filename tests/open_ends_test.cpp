@@ -45,24 +45,20 @@ Inwards inwards_of(const SmoothBrep& brep) {
         for (const auto& loop : cells.cells[c].loops)
             for (const auto& use : loop) {
                 const SplineCurve& curve = brep.edges[use.edge].curve;
-                const auto& breaks = curve.knots.breaks();
-                for (std::size_t s = 0; s + 1 < breaks.size(); ++s)
-                    for (double k = 0.05; k < 1; k += 0.1) {
-                        const double t = std::lerp(breaks[s], breaks[s + 1], k);
-                        const Point2 p{curve.at(0, t), curve.at(1, t)};
-                        Point2 n{-curve.at(1, t, 1), curve.at(0, t, 1)};
-                        const double length = std::hypot(n.x, n.y) * (use.forward ? 1 : -1);
-                        n = {n.x / length, n.y / length};
-                        const Point2 g = top.gradient(p), h = base.gradient(p);
-                        result.least_opening =
-                            std::min(result.least_opening, (g.x - h.x) * n.x + (g.y - h.y) * n.y);
-                        const double reach =
-                            std::min({1.0, 0.4 * (t - breaks.front()), 0.4 * (breaks.back() - t)});
-                        for (double d = 0; d < reach; d += 0.07) {
-                            const Point2 q{p.x + d * n.x, p.y + d * n.y};
-                            result.least_open = std::min(result.least_open, top.z(q) - base.z(q));
-                        }
+                const double first = curve.knots.low(), last = curve.knots.high();
+                test::each_place_along(curve, [&](double t, const Point2& p) {
+                    Point2 n{-curve.at(1, t, 1), curve.at(0, t, 1)};
+                    const double length = std::hypot(n.x, n.y) * (use.forward ? 1 : -1);
+                    n = {n.x / length, n.y / length};
+                    const Point2 g = top.gradient(p), h = base.gradient(p);
+                    result.least_opening =
+                        std::min(result.least_opening, (g.x - h.x) * n.x + (g.y - h.y) * n.y);
+                    const double reach = std::min({1.0, 0.4 * (t - first), 0.4 * (last - t)});
+                    for (double d = 0; d < reach; d += 0.07) {
+                        const Point2 q{p.x + d * n.x, p.y + d * n.y};
+                        result.least_open = std::min(result.least_open, top.z(q) - base.z(q));
                     }
+                });
             }
     return result;
 }
