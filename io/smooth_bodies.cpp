@@ -42,8 +42,9 @@ class Maker {
         if (bodies > kManyBodies || !fit_apart()) {
             fit();
             const int retries = shapes_.size() > kManyBodies ? 1 : kRetries;
+            bool was_better = true;
             for (int round = 0; round < retries && count_faults() > 0; ++round)
-                try_again(round > 0 && !are_only_volumes_wrong());
+                was_better = try_again(!was_better || (round > 0 && !are_only_volumes_wrong()));
         }
         make_facets();
         SmoothBodies result;
@@ -117,9 +118,11 @@ class Maker {
 
     bool are_only_volumes_wrong() const { return count_faults() == std::ranges::count(is_volume_wrong_, 1); }
 
-    // Fits again for volumes as the lines that were moved left them, and with more functions; keeps what is better.
-    void try_again(bool with_more) {
+    // Fits again for volumes as the lines that were moved left them, and with more functions.
+    // \return false if that is no better: then all stays as it was
+    bool try_again(bool with_more) {
         auto& factors = fit_.sheets.volume_factors;
+        const auto factors_before = factors;
         factors.resize(shapes_.size(), 1);
         for (std::size_t b = 0; b < shapes_.size(); ++b)
             if (volumes_[b] > 0)
@@ -129,8 +132,10 @@ class Maker {
         const auto before = count_faults();
         auto kept = std::make_tuple(brep_, shapes_, is_valid_, is_volume_wrong_, faults_, volumes_);
         fit();
-        if (count_faults() >= before)
-            std::tie(brep_, shapes_, is_valid_, is_volume_wrong_, faults_, volumes_) = std::move(kept);
+        if (count_faults() < before) return true;
+        std::tie(brep_, shapes_, is_valid_, is_volume_wrong_, faults_, volumes_) = std::move(kept);
+        factors = factors_before;
+        return false;
     }
 
     // Lines that were moved may touch where many meet closely: then they stay where the model has them, if that is better.
@@ -191,10 +196,7 @@ class Maker {
         for (std::size_t b = 0; b < shapes_.size(); ++b) {
             if (faults_[b].empty()) continue;
             faulty.push_back(b);
-            double area = 0;
-            for (const auto f : brep_.cells.bodies[b].faces)
-                area += model_.plan.surface.calc_face_area(model_.plan.surface.face_handle(f));
-            least_mean = std::min(least_mean, brep_.quality[b].mesh_volume / area);
+            least_mean = std::min(least_mean, brep_.horizons.mean_thickness[b]);
         }
         if (faulty.empty()) return;
         const auto made =

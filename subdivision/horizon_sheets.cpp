@@ -60,6 +60,7 @@ class Fitter {
         result_.usual_off.assign(sheets, 0);
         result_.least_thickness.assign(cells_.bodies.size(), INFINITY);
         result_.gaps.assign(cells_.bodies.size(), 0);
+        result_.mean_thickness.assign(cells_.bodies.size(), 0);
         is_hole_.assign(plan_.n_vertices(), 0);
         for (const auto v : model_.plan.hole_vertex)
             if (v != PlanMesh::kNoVertex) is_hole_[v] = 1;
@@ -228,8 +229,9 @@ class Fitter {
         const auto& body = cells_.bodies[b];
         const auto here = look_up(body);
         BaseSamples base = base_samples(b, here);
-        result_.gaps[b] = std::min(options_.end_gap * size_, options_.thin_end_gap * base.volume / base.area);
-        for (const BodyEnd& end : ends_[b]) add_end(base.samples, end, body_tolerance(base), result_.gaps[b]);
+        result_.gaps[b] =
+            std::min(options_.end_gap * size_, options_.thin_end_gap * result_.mean_thickness[b]);
+        for (const BodyEnd& end : ends_[b]) add_end(base.samples, end, body_tolerance(b), result_.gaps[b]);
         std::vector<ThicknessSample> thicknesses;
         for (const auto c : body.top)
             for (const auto f : cells_.cells[c].faces) {
@@ -258,7 +260,7 @@ class Fitter {
         measure(b, base, here);
     }
 
-    BaseSamples base_samples(std::uint32_t b, const std::vector<Here>& here) const {
+    BaseSamples base_samples(std::uint32_t b, const std::vector<Here>& here) {
         const auto& body = cells_.bodies[b];
         BaseSamples base;
         for (const auto f : body.faces) {
@@ -266,7 +268,8 @@ class Fitter {
             for (const auto v : corners(f)) base.volume += area(f) * thickness(body, v) / 3;
             base.area += area(f);
         }
-        const double tolerance = body_tolerance(base);
+        result_.mean_thickness[b] = base.volume / base.area;
+        const double tolerance = body_tolerance(b);
         const double top_off = mean_off(body, here);
         const auto add = [&](const Point2& at, double z, double top, double thick, double share,
                              double exact) {
@@ -308,8 +311,8 @@ class Fitter {
         return base;
     }
 
-    double body_tolerance(const BaseSamples& base) const {
-        return std::min(options_.tolerance * size_, options_.thickness_tolerance * base.volume / base.area);
+    double body_tolerance(std::uint32_t b) const {
+        return std::min(options_.tolerance * size_, options_.thickness_tolerance * result_.mean_thickness[b]);
     }
 
     // Between the sheets, over the body's part of the plan.

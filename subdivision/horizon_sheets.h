@@ -29,6 +29,7 @@ struct HorizonSheetsOptions {
 struct HorizonSheets {
     std::vector<HeightPatch> sheets;     // [0] the ground, [1 + body] the base of a body
     std::vector<std::uint32_t> of_cell;  // [cells.cells]
+    std::vector<double> mean_thickness;  // [body] of the model
     std::vector<double> gaps;            // [body] how far its base stays below the sheet that it ends at
     std::vector<double> off;             // [sheet] largest distance from the model's vertices
     std::vector<double> usual_off;       // [sheet] the same for all but a thousandth of the plan area

@@ -70,8 +70,8 @@ class Opener {
           curves_(curves),
           body_(cells.bodies[body]),
           base_(sheets.sheets[body + 1]),
-          gap_(sheets.gaps[body]) {
-        mean_thickness_ = mean_thickness();
+          gap_(sheets.gaps[body]),
+          mean_thickness_(sheets.mean_thickness[body]) {
         for (const auto c : body_.top)
             for (const auto f : cells_.cells[c].faces) look_at(f, sheets_.sheets[sheets_.of_cell[c]]);
         for (const BodyEnd& end : ends) look_along(end);
@@ -169,17 +169,6 @@ class Opener {
         return any;
     }
 
-    double mean_thickness() const {
-        double volume = 0, in_plan = 0;
-        for (const auto f : body_.faces) {
-            const double area = model_.plan.surface.calc_face_area(model_.plan.surface.face_handle(f));
-            in_plan += area;
-            for (const auto v : model_.plan.surface.fv_range(model_.plan.surface.face_handle(f)))
-                volume += area * model_.thickness(body_.layer, static_cast<std::size_t>(v.idx())) / 3;
-        }
-        return volume / in_plan;
-    }
-
     // Vertices where the body has thickness and the centre of a triangle; if it is at an end or thin, places all over it.
     void look_at(std::uint32_t face, const HeightPatch& top) {
         const TriMesh& plan = model_.plan.surface;
@@ -271,7 +260,7 @@ class Opener {
     const PlanCells::Body& body_;
     HeightPatch& base_;
     double gap_;
-    double mean_thickness_ = 0;
+    double mean_thickness_;
     std::vector<Place> inside_, thin_, ends_;
     std::vector<double> at_first_;  // [ends_] how far open
     std::vector<Mouth> mouths_;
