@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "subdivision/open_ends.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -21,9 +24,10 @@ constexpr double kLeastOpening = 5e-4;  // slope of the thickness; what CAD prog
 constexpr double kReach = 0.4;  // of a line's mean edge, and of the way to its end: how far into the body
 constexpr double kInland =
     0.35;  // of a triangle at an end: how far from it places are inside wherever the line went
-constexpr double kNear = 0.1;     // of the mean thickness: places that are open further need no look
-constexpr double kValley = 0.01;  // the same for places between them
-constexpr double kInReach = 0.9;  // of the way to the next places: lows further away are theirs
+constexpr double kNear = 0.1;      // of the mean thickness: places that are open further need no look
+constexpr double kValley = 0.01;   // the same for places between them
+constexpr double kInReach = 0.9;   // of the way to the next places: lows further away are theirs
+constexpr double kFurthest = 1.5;  // of the same way: as far as the search for lows looks
 constexpr int kValleyRounds = 50, kValleySteps = 16;                    // down to a low
 constexpr double kPlacesASpan = 5, kLeastPlaces = 4, kMostPlaces = 64;  // along an edge, into a body
 
@@ -51,12 +55,49 @@ struct Place {
     double top, least, wanted;
     const HeightPatch* sheet = nullptr;  // above, to look for lows around
     double reach = 0;                    // as far as the next places
+    std::uint64_t seen = 0, seen_around = 0;
 };
 
 // Where a body is to open.
 struct Mouth {
     Point2 at, inward;
     double top_slope;
+    std::uint64_t seen = 0;
+};
+
+// When the spans of a base were bent last, so that only places that may have changed are looked at again.
+class Changes {
+ public:
+    explicit Changes(const HeightPatch& base)
+        : x_(base.x), y_(base.y), bent_(base.x.spans() * base.y.spans(), 1) {}
+
+    // The functions that are not 0 at a place.
+    void bend(const Point2& at) {
+        ++now_;
+        const std::size_t i = x_.span(at.x), j = y_.span(at.y);
+        for (std::size_t k = i - std::min<std::size_t>(i, 3); k <= std::min(i + 3, x_.spans() - 1); ++k)
+            for (std::size_t l = j - std::min<std::size_t>(j, 3); l <= std::min(j + 3, y_.spans() - 1); ++l)
+                bent_[k * y_.spans() + l] = now_;
+    }
+
+    // Whether the base was bent at a place since the last call with this `seen`; at first yes.
+    bool since(std::uint64_t& seen, const Point2& at) const {
+        return bent_[x_.span(at.x) * y_.spans() + y_.span(at.y)] > std::exchange(seen, now_);
+    }
+
+    // The same up to `reach` around it.
+    bool since(std::uint64_t& seen, const Point2& at, double reach) const {
+        const std::uint64_t before = std::exchange(seen, now_);
+        for (std::size_t k = x_.span(at.x - reach); k <= x_.span(at.x + reach); ++k)
+            for (std::size_t l = y_.span(at.y - reach); l <= y_.span(at.y + reach); ++l)
+                if (bent_[k * y_.spans() + l] > before) return true;
+        return false;
+    }
+
+ private:
+    const CubicKnots &x_, &y_;
+    std::uint64_t now_ = 1;
+    std::vector<std::uint64_t> bent_;  // [span of x][span of y]
 };
 
 // One body's base.
@@ -71,7 +112,8 @@ class Opener {
           body_(cells.bodies[body]),
           base_(sheets.sheets[body + 1]),
           gap_(sheets.gaps[body]),
-          mean_thickness_(sheets.mean_thickness[body]) {
+          mean_thickness_(sheets.mean_thickness[body]),
+          changes_(base_) {
         for (const auto c : body_.top)
             for (const auto f : cells_.cells[c].faces) look_at(f, sheets_.sheets[sheets_.of_cell[c]]);
         for (const BodyEnd& end : ends) look_along(end);
@@ -104,12 +146,14 @@ class Opener {
 
     double open(const Place& p) const { return p.top - base_.z(p.at); }
 
-    bool lower(const std::vector<Place>& places) {
+    bool lower(std::vector<Place>& places) {
         bool any = false;
-        for (const Place& p : places) {
+        for (Place& p : places) {
+            if (!changes_.since(p.seen, p.at)) continue;
             const double now = open(p);
             if (now >= p.least) continue;
             lower_at(base_, p.at, p.wanted - now);
+            changes_.bend(p.at);
             any = true;
         }
         return any;
@@ -118,12 +162,14 @@ class Opener {
     // Between places, where the sheets come nearest to each other.
     bool find_valleys() {
         std::vector<Place> valleys;
-        for (const Place& p : thin_) {
+        for (Place& p : thin_) {
+            if (!changes_.since(p.seen_around, p.at, kFurthest * p.reach)) continue;
             if (open(p) > kValley * mean_thickness_ + p.wanted) continue;
             const Point2 at = lowest(p);
             if (distance(at, p.at) > kInReach * p.reach) continue;  // it goes on from another place
             Place valley = p;
             valley.at = at, valley.top = p.sheet->z(at);
+            valley.seen = valley.seen_around = 0;
             if (open(valley) < p.least) valleys.push_back(valley);
         }
         thin_.insert(thin_.end(), valleys.begin(), valleys.end());
@@ -146,24 +192,29 @@ class Opener {
                 step /= 2;
             if (distance(here, p.at) > p.reach) break;
         }
-        return here;
+        return here;  // no further than kFurthest reaches
     }
 
     // No further from the sheet above than they were, if that can be.
     void pull_ends() {
         for (std::size_t i = 0; i < ends_.size(); ++i) {
+            if (!changes_.since(ends_[i].seen_around, ends_[i].at)) continue;
             const double now = open(ends_[i]);
-            if (now > at_first_[i]) lower_at(base_, ends_[i].at, at_first_[i] - now);
+            if (now <= at_first_[i]) continue;
+            lower_at(base_, ends_[i].at, at_first_[i] - now);
+            changes_.bend(ends_[i].at);
         }
     }
 
     bool tilt() {
         bool any = false;
-        for (const Mouth& m : mouths_) {
+        for (Mouth& m : mouths_) {
+            if (!changes_.since(m.seen, m.at)) continue;
             const Point2 g = base_.gradient(m.at);
             const double opening = m.top_slope - (g.x * m.inward.x + g.y * m.inward.y);
             if (opening >= kLeastOpening) continue;
             tilt_at(base_, m.at, m.inward, opening - 2 * kLeastOpening);
+            changes_.bend(m.at);
             any = true;
         }
         return any;
@@ -261,6 +312,7 @@ class Opener {
     HeightPatch& base_;
     double gap_;
     double mean_thickness_;
+    Changes changes_;
     std::vector<Place> inside_, thin_, ends_;
     std::vector<double> at_first_;  // [ends_] how far open
     std::vector<Mouth> mouths_;
@@ -271,10 +323,14 @@ class Opener {
 void open_body_ends(HorizonSheets& sheets, const LayerModel& model, const PlanCells& cells,
                     const PlanCurves& curves) {
     const auto ends = body_ends(cells, sheets.of_cell);
-    for (std::uint32_t b = 0; b < ends.size(); ++b) {  // from the top: those above are lowered first
-        Opener opener(sheets, model, cells, curves, b, ends[b]);
-        opener.run();
-        sheets.least_thickness[b] = opener.least_thickness();
+    for (std::uint32_t first = 0, last = 0; first < ends.size();
+         first = last) {  // those above are lowered first
+        while (last < ends.size() && cells.bodies[last].layer == cells.bodies[first].layer) ++last;
+        tbb::parallel_for(first, last, [&](std::uint32_t b) {
+            Opener opener(sheets, model, cells, curves, b, ends[b]);
+            opener.run();
+            sheets.least_thickness[b] = opener.least_thickness();
+        });
     }
 }
 
