@@ -17,7 +17,6 @@ constexpr double kMostUrgent = 1e4;    // of the weight of a sample with the loo
 // and columns there and not everywhere.
 constexpr double kWorthHalving[] = {0.3, 0.6, 0.9, 0.99};
 constexpr int kMostSweeps = 20;
-constexpr double kSwing = 2;  // times as far off: nearer limits do more harm than good
 
 PlanBox around(const HeightSamples& samples) {
     PlanBox box = kEmptyPlanBox;

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
+#include "subdivision/bent_spans.h"
 #include "subdivision/body_ends.h"
 
 namespace stratareeb {
@@ -28,6 +28,7 @@ constexpr double kNear = 0.1;      // of the mean thickness: places that are ope
 constexpr double kValley = 0.01;   // the same for places between them
 constexpr double kInReach = 0.9;   // of the way to the next places: lows further away are theirs
 constexpr double kFurthest = 1.5;  // of the same way: as far as the search for lows looks
+constexpr double kSteeper = 2;     // than here it may be on the way to a low that matters
 constexpr int kValleyRounds = 50, kValleySteps = 16;                    // down to a low
 constexpr double kPlacesASpan = 5, kLeastPlaces = 4, kMostPlaces = 64;  // along an edge, into a body
 
@@ -55,49 +56,12 @@ struct Place {
     double top, least, wanted;
     const HeightPatch* sheet = nullptr;  // above, to look for lows around
     double reach = 0;                    // as far as the next places
-    std::uint64_t seen = 0, seen_around = 0;
 };
 
 // Where a body is to open.
 struct Mouth {
     Point2 at, inward;
     double top_slope;
-    std::uint64_t seen = 0;
-};
-
-// When the spans of a base were bent last, so that only places that may have changed are looked at again.
-class Changes {
- public:
-    explicit Changes(const HeightPatch& base)
-        : x_(base.x), y_(base.y), bent_(base.x.spans() * base.y.spans(), 1) {}
-
-    // The functions that are not 0 at a place.
-    void bend(const Point2& at) {
-        ++now_;
-        const std::size_t i = x_.span(at.x), j = y_.span(at.y);
-        for (std::size_t k = i - std::min<std::size_t>(i, 3); k <= std::min(i + 3, x_.spans() - 1); ++k)
-            for (std::size_t l = j - std::min<std::size_t>(j, 3); l <= std::min(j + 3, y_.spans() - 1); ++l)
-                bent_[k * y_.spans() + l] = now_;
-    }
-
-    // Whether the base was bent at a place since the last call with this `seen`; at first yes.
-    bool since(std::uint64_t& seen, const Point2& at) const {
-        return bent_[x_.span(at.x) * y_.spans() + y_.span(at.y)] > std::exchange(seen, now_);
-    }
-
-    // The same up to `reach` around it.
-    bool since(std::uint64_t& seen, const Point2& at, double reach) const {
-        const std::uint64_t before = std::exchange(seen, now_);
-        for (std::size_t k = x_.span(at.x - reach); k <= x_.span(at.x + reach); ++k)
-            for (std::size_t l = y_.span(at.y - reach); l <= y_.span(at.y + reach); ++l)
-                if (bent_[k * y_.spans() + l] > before) return true;
-        return false;
-    }
-
- private:
-    const CubicKnots &x_, &y_;
-    std::uint64_t now_ = 1;
-    std::vector<std::uint64_t> bent_;  // [span of x][span of y]
 };
 
 // One body's base.
@@ -113,11 +77,12 @@ class Opener {
           base_(sheets.sheets[body + 1]),
           gap_(sheets.gaps[body]),
           mean_thickness_(sheets.mean_thickness[body]),
-          changes_(base_) {
+          bent_(base_) {
         for (const auto c : body_.top)
             for (const auto f : cells_.cells[c].faces) look_at(f, sheets_.sheets[sheets_.of_cell[c]]);
         for (const BodyEnd& end : ends) look_along(end);
-        for (const Place& end : ends_) at_first_.push_back(std::max(open(end), end.wanted));
+        for (auto* places : {&inside_, &thin_, &ends_, &pulled_}) places->sort(bent_);
+        mouths_.sort(bent_);
     }
 
     void run() {
@@ -127,7 +92,7 @@ class Opener {
 
     double least_thickness() const {
         double least = INFINITY;
-        for (const Place& p : inside_) least = std::min(least, open(p));
+        for (const Place& p : inside_.all()) least = std::min(least, open(p));
         return least;
     }
 
@@ -136,44 +101,44 @@ class Opener {
         bool any = true;
         for (int sweep = 0; sweep < kMostSweeps && any; ++sweep) {
             any = false;
-            if (sweep < kPullSweeps) pull_ends();
+            if (sweep < kPullSweeps) pull();
             any |= lower(ends_);
             any |= tilt();
             any |= lower(inside_);
             any |= lower(thin_);
+            any |= lower(valleys_);
         }
     }
 
     double open(const Place& p) const { return p.top - base_.z(p.at); }
 
-    bool lower(std::vector<Place>& places) {
+    bool lower(PlacesBySpan<Place>& places) {
         bool any = false;
-        for (Place& p : places) {
-            if (!changes_.since(p.seen, p.at)) continue;
+        places.each_bent(bent_, [&](const Place& p) {
             const double now = open(p);
-            if (now >= p.least) continue;
+            if (now >= p.least) return;
             lower_at(base_, p.at, p.wanted - now);
-            changes_.bend(p.at);
+            bent_.bend(p.at);
             any = true;
-        }
+        });
         return any;
     }
 
     // Between places, where the sheets come nearest to each other.
     bool find_valleys() {
-        std::vector<Place> valleys;
-        for (Place& p : thin_) {
-            if (!changes_.since(p.seen_around, p.at, kFurthest * p.reach)) continue;
-            if (open(p) > kValley * mean_thickness_ + p.wanted) continue;
-            const Point2 at = lowest(p);
-            if (distance(at, p.at) > kInReach * p.reach) continue;  // it goes on from another place
-            Place valley = p;
-            valley.at = at, valley.top = p.sheet->z(at);
-            valley.seen = valley.seen_around = 0;
-            if (open(valley) < p.least) valleys.push_back(valley);
-        }
-        thin_.insert(thin_.end(), valleys.begin(), valleys.end());
-        return !valleys.empty();
+        std::vector<Place> found;
+        for (auto* places : {&thin_, &valleys_})
+            places->each_bent_around(bent_, kFurthest, [&](const Place& p) {
+                if (open(p) > kValley * mean_thickness_ + p.wanted) return;
+                Place valley = p;
+                valley.at = lowest(p);
+                if (distance(valley.at, p.at) > kInReach * p.reach) return;  // it goes on from another place
+                valley.top = p.sheet->z(valley.at);
+                if (open(valley) < p.least) found.push_back(valley);
+            });
+        for (const Place& valley : found) valleys_.add(valley);
+        valleys_.sort(bent_);
+        return !found.empty();
     }
 
     // Down the slope of the thickness, in ever shorter steps.
@@ -183,7 +148,7 @@ class Opener {
         for (int i = 0; i < kValleySteps; ++i) {
             const Point2 g = p.sheet->gradient(here), h = base_.gradient(here);
             const double slope = distance(g, h);
-            if (!(slope > 0)) break;
+            if (!(slope > 0) || best - kSteeper * slope * 2 * step > p.least) break;
             const Point2 there{here.x - step * (g.x - h.x) / slope, here.y - step * (g.y - h.y) / slope};
             const double then = p.sheet->z(there) - base_.z(there);
             if (then < best)
@@ -195,28 +160,26 @@ class Opener {
         return here;  // no further than kFurthest reaches
     }
 
-    // No further from the sheet above than they were, if that can be.
-    void pull_ends() {
-        for (std::size_t i = 0; i < ends_.size(); ++i) {
-            if (!changes_.since(ends_[i].seen_around, ends_[i].at)) continue;
-            const double now = open(ends_[i]);
-            if (now <= at_first_[i]) continue;
-            lower_at(base_, ends_[i].at, at_first_[i] - now);
-            changes_.bend(ends_[i].at);
-        }
+    // Places at ends that were no further from the sheet above at first, if that can be.
+    void pull() {
+        pulled_.each_bent(bent_, [&](const Place& p) {
+            const double now = open(p);
+            if (now <= p.wanted) return;
+            lower_at(base_, p.at, p.wanted - now);
+            bent_.bend(p.at);
+        });
     }
 
     bool tilt() {
         bool any = false;
-        for (Mouth& m : mouths_) {
-            if (!changes_.since(m.seen, m.at)) continue;
+        mouths_.each_bent(bent_, [&](const Mouth& m) {
             const Point2 g = base_.gradient(m.at);
             const double opening = m.top_slope - (g.x * m.inward.x + g.y * m.inward.y);
-            if (opening >= kLeastOpening) continue;
+            if (opening >= kLeastOpening) return;
             tilt_at(base_, m.at, m.inward, opening - 2 * kLeastOpening);
-            changes_.bend(m.at);
+            bent_.bend(m.at);
             any = true;
-        }
+        });
         return any;
     }
 
@@ -233,14 +196,14 @@ class Opener {
             p[n] = {plan.point(v)[0], plan.point(v)[1]};
             zero[n] = model_.regions.zero_at[i][body_.layer] ? 1 : 0;
             mean += thickness / 3;
-            least = std::min(least, top.z(p[n]) - base_.z(p[n]));
-            if (zero[n] == 0) add_inside(p[n], top, thickness);
+            const Place place = inside(p[n], top, thickness);
+            least = std::min(least, open(place));
+            if (zero[n] == 0) inside_.add(place);
             ++n;
         }
-        add_inside({(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3}, top, mean);
-        if (zero[0] + zero[1] + zero[2] == 0 &&
-            std::min(least, open(inside_.back())) >= kNear * mean_thickness_)
-            return;
+        inside_.add(inside({(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3}, top, mean));
+        least = std::min(least, open(inside_.all().back()));
+        if (zero[0] + zero[1] + zero[2] == 0 && least >= kNear * mean_thickness_) return;
         const double longest = std::max({distance(p[0], p[1]), distance(p[1], p[2]), distance(p[2], p[0])});
         const int places = places_along(
             longest, std::min({span_at(base_, p[0]), span_at(base_, p[1]), span_at(base_, p[2])}));
@@ -253,13 +216,21 @@ class Opener {
             }
     }
 
-    void add_inside(const Point2& at, const HeightPatch& top, double thickness) {
-        inside_.push_back({at, top.z(at), kLeastShare * thickness, 2 * kLeastShare * thickness});
+    static Place inside(const Point2& at, const HeightPatch& top, double thickness) {
+        return {.at = at,
+                .top = top.z(at),
+                .least = kLeastShare * thickness,
+                .wanted = 2 * kLeastShare * thickness};
     }
 
     void add_thin(const Point2& at, const HeightPatch& top, double reach) {
-        const Place place{at, top.z(at), kLeastGap * gap_, gap_, &top, reach};
-        if (open(place) < kNear * mean_thickness_) thin_.push_back(place);
+        const Place place{.at = at,
+                          .top = top.z(at),
+                          .least = kLeastGap * gap_,
+                          .wanted = gap_,
+                          .sheet = &top,
+                          .reach = reach};
+        if (open(place) < kNear * mean_thickness_) thin_.add(place);
     }
 
     // The sheet above the body beside an edge, and on which side of its line the body is: 1 = left, -1 = right, 0 = both.
@@ -284,7 +255,11 @@ class Opener {
         const double edge = (last - first) / static_cast<double>(line.parameters.size() - 1);
         for (double t = first;;) {
             const Point2 p{curve.at(0, t), curve.at(1, t)}, way{curve.at(0, t, 1), curve.at(1, t, 1)};
-            ends_.push_back({p, sheets_.sheets[end.above].z(p), kLeastGap * gap_, gap_});
+            Place place{
+                .at = p, .top = sheets_.sheets[end.above].z(p), .least = kLeastGap * gap_, .wanted = gap_};
+            ends_.add(place);
+            place.wanted = std::max(open(place), gap_);
+            pulled_.add(place);
             const double speed = std::hypot(way.x, way.y);
             if (side != 0 && speed > 0)
                 look_inwards(p, {-side * way.y / speed, side * way.x / speed}, *top,
@@ -296,7 +271,7 @@ class Opener {
 
     void look_inwards(const Point2& p, const Point2& inward, const HeightPatch& top, double reach) {
         const Point2 g = top.gradient(p);
-        mouths_.push_back({p, inward, g.x * inward.x + g.y * inward.y});
+        mouths_.add({.at = p, .inward = inward, .top_slope = g.x * inward.x + g.y * inward.y});
         if (!(reach > 0)) return;
         const int places = places_along(reach, span_at(base_, p));
         for (int k = 1; k <= places; ++k)
@@ -312,10 +287,9 @@ class Opener {
     HeightPatch& base_;
     double gap_;
     double mean_thickness_;
-    Changes changes_;
-    std::vector<Place> inside_, thin_, ends_;
-    std::vector<double> at_first_;  // [ends_] how far open
-    std::vector<Mouth> mouths_;
+    BentSpans bent_;
+    PlacesBySpan<Place> inside_, thin_, valleys_, ends_, pulled_;
+    PlacesBySpan<Mouth> mouths_;
 };
 
 }  // namespace
@@ -323,8 +297,8 @@ class Opener {
 void open_body_ends(HorizonSheets& sheets, const LayerModel& model, const PlanCells& cells,
                     const PlanCurves& curves) {
     const auto ends = body_ends(cells, sheets.of_cell);
-    for (std::uint32_t first = 0, last = 0; first < ends.size();
-         first = last) {  // those above are lowered first
+    // Those above are lowered first.
+    for (std::uint32_t first = 0, last = 0; first < ends.size(); first = last) {
         while (last < ends.size() && cells.bodies[last].layer == cells.bodies[first].layer) ++last;
         tbb::parallel_for(first, last, [&](std::uint32_t b) {
             Opener opener(sheets, model, cells, curves, b, ends[b]);

@@ -87,6 +87,7 @@ struct Top {
                                             static_cast<Eigen::Index>(patch.x.functions()),
                                             static_cast<Eigen::Index>(patch.y.functions()));
         coefficients = in_knots(patch.x, x) * own * in_knots(patch.y, y).transpose();
+        lowest = Heights::Constant(coefficients.rows(), coefficients.cols(), INFINITY);
     }
 
     double at(std::size_t i, std::size_t j) const {
@@ -94,6 +95,7 @@ struct Top {
     }
 
     Heights coefficients;
+    Heights lowest;  // of the sheet over triangles in a function's reach
     std::vector<char> exact_x, exact_y;
 };
 
@@ -106,9 +108,13 @@ class Limits {
         const PlanBox box = box_of(plan, sample.face);
         auto it = tops_.find(sample.top);
         if (it == tops_.end()) it = tops_.emplace(sample.top, Top(*sample.top, x_, y_)).first;
-        const Top& top = it->second;
+        Top& top = it->second;
+        double lowest = INFINITY;
+        for (const auto v : plan.fv_range(plan.face_handle(sample.face)))
+            lowest = std::min(lowest, sample.top->z({plan.point(v)[0], plan.point(v)[1]}));
         each_over(box, [&](Function& f, std::size_t i, std::size_t j) {
-            if (top.exact_x[i] && top.exact_y[j]) f.top = std::min(f.top, top.at(i, j));
+            double& so_far = top.lowest(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+            so_far = std::min(so_far, lowest);
             f.least = std::min(f.least, sample.thickness);
         });
     }
@@ -119,17 +125,37 @@ class Limits {
 
     std::vector<double> limits(double share) const {
         std::vector<double> result;
-        for (const Function& f : functions_)
-            result.push_back(f.top == INFINITY || f.at_end ? INFINITY : f.top - share * f.least);
+        for (std::size_t i = 0; i < x_.functions(); ++i)
+            for (std::size_t j = 0; j < y_.functions(); ++j) {
+                const Function& f = functions_[i * y_.functions() + j];
+                const double top = f.at_end ? INFINITY : lowest_top(i, j);
+                result.push_back(top == INFINITY ? INFINITY : top - share * f.least);
+            }
         return result;
     }
 
  private:
     // What a function reaches.
     struct Function {
-        double top = INFINITY, least = INFINITY;  // over the triangles
+        double least = INFINITY;  // thickness over the triangles
         bool at_end = false;
     };
+
+    // Of the sheets in a function's reach. Where there are several, one that runs off steeply beyond the triangles under it
+    // counts no deeper than it comes above these.
+    double lowest_top(std::size_t i, std::size_t j) const {
+        double deepest = INFINITY, above_own = INFINITY;
+        int tops = 0;
+        for (const auto& [sheet, top] : tops_) {
+            const double lowest = top.lowest(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+            if (lowest == INFINITY) continue;
+            ++tops;
+            if (!top.exact_x[i] || !top.exact_y[j]) continue;
+            deepest = std::min(deepest, top.at(i, j));
+            above_own = std::min(above_own, std::max(lowest, top.at(i, j)));
+        }
+        return tops > 1 ? above_own : deepest;
+    }
 
     template <typename Visit>
     void each_over(const PlanBox& box, const Visit& visit) {

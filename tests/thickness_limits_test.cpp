@@ -66,6 +66,34 @@ TEST(ThicknessLimits, keep_any_patch_below_them_under_the_top_everywhere) {
     }
 }
 
+// Over the half where it is not the top it lies far below the other.
+TEST(ThicknessLimits, do_not_follow_a_top_beyond_its_own_triangles) {
+    const TriMesh plan = square_plan();
+    const auto level = [](const auto& height) {
+        HeightPatch patch{kCoarse, kCoarse, {}};
+        for (std::size_t i = 0; i < kCoarse.functions(); ++i)
+            for (std::size_t j = 0; j < kCoarse.functions(); ++j) patch.coefficients.push_back(height(i));
+        return patch;
+    };
+    const auto steep = level([](std::size_t i) { return i < 4 ? 10.0 : -1000.0; }),
+               flat = level([](std::size_t) { return 12.0; });
+    std::vector<ThicknessSample> samples;
+    double own_lowest = INFINITY;
+    for (const auto f : plan.faces()) {
+        const double x = plan.calc_face_centroid(f)[0];
+        samples.push_back({static_cast<std::uint32_t>(f.idx()), 1, x < 3 ? &steep : &flat});
+        if (x < 3)
+            for (const auto v : plan.fv_range(f))
+                own_lowest = std::min(own_lowest, steep.z({plan.point(v)[0], plan.point(v)[1]}));
+    }
+    ASSERT_GT(own_lowest, -300);
+    const auto limits = limits_below_top(kCoarse, kCoarse, plan, samples, {}, 0.2);
+    for (std::size_t k = 0; k < limits.size(); ++k) {
+        EXPECT_GE(limits[k], own_lowest - 0.2 - 1e-9) << k;
+        EXPECT_LE(limits[k], 12 - 0.2 + 1e-9);
+    }
+}
+
 TEST(ThicknessLimits, leave_functions_free_that_reach_an_end_or_tops_of_other_breaks) {
     const TriMesh plan = square_plan();
     const auto top = random_patch(kCoarse, kCoarse, 1);
