@@ -42,9 +42,12 @@ class Maker {
         if (bodies > kManyBodies || !fit_apart()) {
             fit();
             const int retries = shapes_.size() > kManyBodies ? 1 : kRetries;
-            bool was_better = true;
+            bool with_more = false;
             for (int round = 0; round < retries && count_faults() > 0; ++round)
-                was_better = try_again(!was_better || (round > 0 && !are_only_volumes_wrong()));
+                if (try_again(with_more))
+                    with_more = !are_only_volumes_wrong();
+                else if (std::exchange(with_more, true))
+                    break;  // more did not help either
         }
         make_facets();
         SmoothBodies result;
