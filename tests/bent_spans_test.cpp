@@ -18,10 +18,10 @@ struct Spot {
 class BentSpansOfAPatch : public testing::TestWithParam<unsigned> {
  protected:
     BentSpansOfAPatch() {
-        std::uniform_real_distribution<double> in(0, 10);
+        std::uniform_real_distribution<double> reach(0, 1);
         patch.coefficients.assign(patch.x.functions() * patch.y.functions(), 0);
         for (int i = 0; i < 400; ++i) {
-            spots.push_back({{in(random), in(random)}, 0.1 * in(random), i});
+            spots.push_back({somewhere(), reach(random), i});
             places.add(spots.back());
         }
         places.sort(bent);
