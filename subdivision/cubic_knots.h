@@ -47,7 +47,19 @@ class CubicKnots {
     CubicKnots refined(const std::vector<char>& halve) const;
 
  private:
+    //! The four functions over a span, as polynomials of 0 <= s <= 1.
+    struct Piece {
+        double low, per_width;
+        std::array<std::array<double, 4>, 4> of_power;  // [power of s][function]
+    };
+
+    Piece piece(std::size_t span) const;
+    std::size_t bucket(double t) const;
+
     std::vector<double> breaks_, knots_;
+    std::vector<Piece> pieces_;      // [span]
+    std::vector<std::size_t> last_;  // [bucket], all as wide: the last break that lies in it or before
+    double buckets_a_unit_ = 0;
 };
 
 }  // namespace stratareeb

@@ -213,6 +213,19 @@ double product(const HeightPatch& patch, const CubicKnots::Values& vx, const Cub
     return sum;
 }
 
+// To the coefficients of a span. Returns the largest that is added, 0 if all are negative.
+template <typename Change>
+double add(HeightPatch& patch, std::size_t first_x, std::size_t first_y, const Change& change) {
+    double most = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j) {
+            const double by = change(i, j);
+            patch.coefficients[(first_x + i) * patch.y.functions() + first_y + j] += by;
+            most = std::max(most, by);
+        }
+    return most;
+}
+
 }  // namespace
 
 double HeightPatch::z(const Point2& p) const {
@@ -223,18 +236,17 @@ Point2 HeightPatch::gradient(const Point2& p) const {
     return {product(*this, x.values(p.x, 1), y.values(p.y)), product(*this, x.values(p.x), y.values(p.y, 1))};
 }
 
-void lower_at(HeightPatch& patch, const Point2& at, double by) {
+double lower_at(HeightPatch& patch, const Point2& at, double by) {
     const auto vx = patch.x.values(at.x), vy = patch.y.values(at.y);
     double square_x = 0, square_y = 0;
     for (std::size_t i = 0; i < 4; ++i)
         square_x += vx.value[i] * vx.value[i], square_y += vy.value[i] * vy.value[i];
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = 0; j < 4; ++j)
-            patch.coefficients[(vx.first + i) * patch.y.functions() + vy.first + j] -=
-                by * vx.value[i] * vy.value[j] / (square_x * square_y);
+    return add(patch, vx.first, vy.first, [&](std::size_t i, std::size_t j) {
+        return -by * vx.value[i] * vy.value[j] / (square_x * square_y);
+    });
 }
 
-void tilt_at(HeightPatch& patch, const Point2& at, const Point2& direction, double by) {
+double tilt_at(HeightPatch& patch, const Point2& at, const Point2& direction, double by) {
     const auto vx = patch.x.values(at.x), vy = patch.y.values(at.y), dx = patch.x.values(at.x, 1),
                dy = patch.y.values(at.y, 1);
     const auto slope = [&](std::size_t i, std::size_t j) {
@@ -243,10 +255,8 @@ void tilt_at(HeightPatch& patch, const Point2& at, const Point2& direction, doub
     double square = 0;
     for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t j = 0; j < 4; ++j) square += slope(i, j) * slope(i, j);
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = 0; j < 4; ++j)
-            patch.coefficients[(vx.first + i) * patch.y.functions() + vy.first + j] +=
-                by * slope(i, j) / square;
+    return add(patch, vx.first, vy.first,
+               [&](std::size_t i, std::size_t j) { return by * slope(i, j) / square; });
 }
 
 HeightFit fit_height_patch(const HeightSamples& samples, const HeightFitOptions& options) {

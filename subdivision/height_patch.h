@@ -23,10 +23,11 @@ struct HeightPatch {
 };
 
 //! Lower a patch at a place, by the least change of coefficients (S. Kaczmarz, 1937).
-void lower_at(HeightPatch& patch, const Point2& at, double by);
+//! \return at least what it rises by anywhere
+double lower_at(HeightPatch& patch, const Point2& at, double by);
 
 //! The same for its slope in a direction of unit length.
-void tilt_at(HeightPatch& patch, const Point2& at, const Point2& direction, double by);
+double tilt_at(HeightPatch& patch, const Point2& at, const Point2& direction, double by);
 
 //! A height that a patch is to have at a place.
 struct HeightSample {

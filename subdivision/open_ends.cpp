@@ -112,14 +112,16 @@ class Opener {
 
     double open(const Place& p) const { return p.top - base_.z(p.at); }
 
+    void lower(const Point2& at, double by) { bent_.bend(at, lower_at(base_, at, by)); }
+
     bool lower(PlacesBySpan<Place>& places) {
         bool any = false;
-        places.each_bent(bent_, [&](const Place& p) {
+        places.each_risen(bent_, [&](const Place& p) {
             const double now = open(p);
-            if (now >= p.least) return;
-            lower_at(base_, p.at, p.wanted - now);
-            bent_.bend(p.at);
+            if (now >= p.least) return now - p.least;
+            lower(p.at, p.wanted - now);
             any = true;
+            return p.wanted - p.least;
         });
         return any;
     }
@@ -165,8 +167,7 @@ class Opener {
         pulled_.each_bent(bent_, [&](const Place& p) {
             const double now = open(p);
             if (now <= p.wanted) return;
-            lower_at(base_, p.at, p.wanted - now);
-            bent_.bend(p.at);
+            lower(p.at, p.wanted - now);
         });
     }
 
@@ -176,8 +177,7 @@ class Opener {
             const Point2 g = base_.gradient(m.at);
             const double opening = m.top_slope - (g.x * m.inward.x + g.y * m.inward.y);
             if (opening >= kLeastOpening) return;
-            tilt_at(base_, m.at, m.inward, opening - 2 * kLeastOpening);
-            bent_.bend(m.at);
+            bent_.bend(m.at, tilt_at(base_, m.at, m.inward, opening - 2 * kLeastOpening));
             any = true;
         });
         return any;

@@ -54,8 +54,7 @@ TEST_P(BentSpansOfAPatch, visit_places_whose_heights_changed) {
         places.each_bent_around(bent, 1, [](const Spot&) {});
         const HeightPatch before = patch;
         const Point2 at = somewhere();
-        lower_at(patch, at, 1);
-        bent.bend(at);
+        bent.bend(at, lower_at(patch, at, 1));
         std::vector<char> visited(spots.size(), 0), around(spots.size(), 0);
         places.each_bent(bent, [&](const Spot& spot) { visited[static_cast<std::size_t>(spot.name)] = 1; });
         places.each_bent_around(bent, 1,
@@ -79,11 +78,40 @@ TEST_P(BentSpansOfAPatch, visit_places_whose_heights_changed) {
 TEST_P(BentSpansOfAPatch, visit_again_where_a_visit_bent) {
     int visits = 0;
     const auto bend_once = [&](const Spot& spot) {
-        if (spot.name == 0 && visits++ == 0) bent.bend(spot.at);
+        if (spot.name == 0 && visits++ == 0) bent.bend(spot.at, 0);
     };
     places.each_bent(bent, bend_once);
     places.each_bent(bent, bend_once);
     EXPECT_EQ(visits, 2);
+}
+
+// Whatever bends a patch: no place falls short of its room without being looked at, and few are looked at.
+TEST_P(BentSpansOfAPatch, visit_places_that_may_have_risen_too_far) {
+    std::uniform_real_distribution<double> by(-1, 1);
+    std::vector<double> highest(spots.size(), -INFINITY);
+    int visits = 0;
+    for (int round = 0; round < 200; ++round) {
+        places.each_risen(bent, [&](const Spot& spot) {
+            ++visits;
+            const double room = 1 + by(random);
+            highest[static_cast<std::size_t>(spot.name)] = patch.z(spot.at) + room;
+            return room;
+        });
+        for (const Spot& spot : spots)
+            EXPECT_LE(patch.z(spot.at), highest[static_cast<std::size_t>(spot.name)] + 1e-12);
+        const Point2 at = somewhere();
+        if (round % 2 == 0)
+            bent.bend(at, lower_at(patch, at, by(random)));
+        else
+            bent.bend(at, tilt_at(patch, at, {0.6, 0.8}, by(random)));
+    }
+    EXPECT_LT(visits, 200 * static_cast<int>(spots.size()) / 10);
+    places.each_risen(bent, [](const Spot&) { return 0.0; });
+    for (int round = 0; round < 20; ++round) {
+        const Point2 at = somewhere();
+        bent.bend(at, lower_at(patch, at, 1));
+    }
+    places.each_risen(bent, [](const Spot&) { return ADD_FAILURE() << "lowered only", 0.0; });
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, BentSpansOfAPatch, testing::Range(0u, 5u));
