@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "subdivision/spline_equations.h"
 
-#include <Eigen/SparseCholesky>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "boreholes/errors.h"
+#include "subdivision/banded_cholesky.h"
 
 namespace stratareeb {
 namespace {
@@ -50,10 +49,11 @@ std::vector<std::array<double, 4>> gram(const CubicKnots& knots, int derivative)
 // those with di = 0 and dj < 0 stay unused.
 struct SplineEquations::Impl {
     Impl(const CubicKnots& along_x, const CubicKnots& along_y)
-        : x(along_x), y(along_y), nx(x.functions()), ny(y.functions()) {
-        make_pattern();
-        solver.analyzePattern(matrix);
-    }
+        : x(along_x),
+          y(along_y),
+          nx(x.functions()),
+          ny(y.functions()),
+          matrix(nx * ny, 3 * std::min(nx, ny) + 3) {}
 
     // The row's places in use, with the rows of the other functions, ascending.
     template <typename Visit>
@@ -64,17 +64,9 @@ struct SplineEquations::Impl {
                 if (j + dj >= 3 && j + dj < ny + 3) visit(di * 7 + dj, (i + di) * ny + j + dj - 3);
     }
 
-    void make_pattern() {
-        const auto n = static_cast<Eigen::Index>(nx * ny);
-        matrix.resize(n, n);
-        matrix.reserve(25 * n);
-        for (std::size_t row = 0; row < nx * ny; ++row) {
-            matrix.startVec(static_cast<Eigen::Index>(row));
-            each_product(row, [&](std::size_t, std::size_t other) {
-                matrix.insertBack(static_cast<Eigen::Index>(other), static_cast<Eigen::Index>(row)) = 1;
-            });
-        }
-        matrix.finalize();
+    // Row after row of functions along the shorter side: the band is narrowest so.
+    std::size_t place_of(std::size_t function) const {
+        return ny <= nx ? function : function % ny * nx + function / ny;
     }
 
     void add_product(const std::vector<std::array<double, 4>>& in_x,
@@ -91,25 +83,31 @@ struct SplineEquations::Impl {
 
     // With coefficients that are held at limits taken out of the equations.
     Eigen::VectorXd solve(const std::vector<char>& held, const std::vector<double>& highest) {
-        Eigen::VectorXd right = b;
-        double* value = matrix.valuePtr();
+        Eigen::VectorXd right(b.size());
+        const auto right_of = [&](std::size_t f) -> double& {
+            return right[static_cast<Eigen::Index>(place_of(f))];
+        };
+        for (std::size_t f = 0; f < rows.size(); ++f) right_of(f) = b[static_cast<Eigen::Index>(f)];
+        matrix.clear();
         for (std::size_t row = 0; row < rows.size(); ++row)
             each_product(row, [&](std::size_t place, std::size_t other) {
                 const double product = rows[row][place];
                 if (row == other || !(held[row] || held[other])) {
-                    *value++ = product;
+                    const auto [low, high] = std::minmax({place_of(row), place_of(other)});
+                    matrix.at(high, low) = product;
                     return;
                 }
-                *value++ = 0;
-                if (!held[row]) right[static_cast<Eigen::Index>(row)] -= product * highest[other];
-                if (!held[other]) right[static_cast<Eigen::Index>(other)] -= product * highest[row];
+                if (!held[row]) right_of(row) -= product * highest[other];
+                if (!held[other]) right_of(other) -= product * highest[row];
             });
         for (std::size_t row = 0; row < rows.size(); ++row)
-            if (held[row]) right[static_cast<Eigen::Index>(row)] = rows[row][3] * highest[row];
-        solver.factorize(matrix);
-        if (solver.info() != Eigen::Success)
+            if (held[row]) right_of(row) = rows[row][3] * highest[row];
+        if (!matrix.factorize())
             throw GeometryError("a smooth surface can't be fitted: its equations have no solution");
-        return solver.solve(right);
+        matrix.solve_in_place(right);
+        Eigen::VectorXd result(b.size());
+        for (std::size_t f = 0; f < rows.size(); ++f) result[static_cast<Eigen::Index>(f)] = right_of(f);
+        return result;
     }
 
     // Right sides less the equations' left ones: what pulls at each coefficient.
@@ -127,9 +125,8 @@ struct SplineEquations::Impl {
     CubicKnots x, y;
     std::size_t nx, ny;
     std::vector<std::array<double, 28>> rows;
-    Eigen::SparseMatrix<double> matrix;  // lower triangle, column by column
+    BandedCholesky matrix;
     Eigen::VectorXd b;
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver;
 };
 
 SplineEquations::SplineEquations(const CubicKnots& x, const CubicKnots& y)
