@@ -149,6 +149,8 @@ void SplineEquations::add_bending_of_span(std::size_t along_x, std::size_t along
         return knots.breaks()[s + 1] - knots.breaks()[s];
     };
     const double hx = width(e.x, along_x), hy = width(e.y, along_y);
+    const double xx = factor * hx * hx * hx * hx, xy = factor * 2 * hx * hx * hy * hy,
+                 yy = factor * hy * hy * hy * hy;
     std::array<SpanGram, 3> x, y;
     for (int d = 0; d < 3; ++d) {
         x[static_cast<std::size_t>(d)] = span_gram(e.x, along_x, d);
@@ -159,9 +161,8 @@ void SplineEquations::add_bending_of_span(std::size_t along_x, std::size_t along
             for (std::size_t k = i; k < 4; ++k)
                 for (std::size_t l = 0; l < 4; ++l)
                     e.rows[(along_x + i) * e.ny + along_y + j][(k - i) * 7 + l + 3 - j] +=
-                        factor * (std::pow(hx, 4) * x[2][i][k] * y[0][j][l] +
-                                  2 * hx * hx * hy * hy * x[1][i][k] * y[1][j][l] +
-                                  std::pow(hy, 4) * x[0][i][k] * y[2][j][l]);
+                        xx * x[2][i][k] * y[0][j][l] + xy * x[1][i][k] * y[1][j][l] +
+                        yy * x[0][i][k] * y[2][j][l];
 }
 
 void SplineEquations::add(const Point2& at, double z, double weight) {
