@@ -104,7 +104,8 @@ class Maker {
     bool fit_apart() {
         fit_.sheets.end_gap = kEndGap;
         fit();
-        if (count_faults() > 0 && have_few_faces() && are_only_volumes_wrong()) try_again(false);
+        for (int round = 0; round < kRetries && count_faults() > 0; ++round)
+            if (!(have_few_faces() && are_only_volumes_wrong() && try_again(false))) break;
         fit_.sheets.end_gap = 0;
         fit_.sheets.volume_factors.clear();  // they allow for the slits of these sheets
         return count_faults() == 0 && have_few_faces();
@@ -119,26 +120,39 @@ class Maker {
         return std::ranges::count_if(faults_, [](const auto& fault) { return !fault.empty(); });
     }
 
-    bool are_only_volumes_wrong() const { return count_faults() == std::ranges::count(is_volume_wrong_, 1); }
+    std::ptrdiff_t count_other_faults() const {
+        return count_faults() - std::ranges::count(is_volume_wrong_, 1);
+    }
+
+    bool are_only_volumes_wrong() const { return count_other_faults() == 0; }
 
     // Fits again for volumes as the lines that were moved left them, and with more functions.
     // \return false if that is no better: then all stays as it was
     bool try_again(bool with_more) {
         auto& factors = fit_.sheets.volume_factors;
         const auto factors_before = factors;
+        if (with_more) fit_.sheets.most_functions *= 2;
+        const auto before = count_faults(), others_before = count_other_faults();
+        auto kept = std::make_tuple(brep_, shapes_, is_valid_, is_volume_wrong_, faults_, volumes_);
+        correct_volumes();
+        fit();
+        if (count_faults() >= before && count_other_faults() < others_before) {
+            correct_volumes();
+            fit();
+        }
+        if (count_faults() < before) return true;
+        std::tie(brep_, shapes_, is_valid_, is_volume_wrong_, faults_, volumes_) = std::move(kept);
+        factors = factors_before;
+        return false;
+    }
+
+    void correct_volumes() {
+        auto& factors = fit_.sheets.volume_factors;
         factors.resize(shapes_.size(), 1);
         for (std::size_t b = 0; b < shapes_.size(); ++b)
             if (volumes_[b] > 0)
                 factors[b] *= std::clamp(brep_.quality[b].mesh_volume / volumes_[b], 1 - kMostCorrected,
                                          1 + kMostCorrected);
-        if (with_more) fit_.sheets.most_functions *= 2;
-        const auto before = count_faults();
-        auto kept = std::make_tuple(brep_, shapes_, is_valid_, is_volume_wrong_, faults_, volumes_);
-        fit();
-        if (count_faults() < before) return true;
-        std::tie(brep_, shapes_, is_valid_, is_volume_wrong_, faults_, volumes_) = std::move(kept);
-        factors = factors_before;
-        return false;
     }
 
     // Lines that were moved may touch where many meet closely: then they stay where the model has them, if that is better.

@@ -9,10 +9,13 @@
 namespace stratareeb {
 namespace {
 
-constexpr double kFairWave = 0.05;     // of a span: bending weighs as much as samples on such waves only
-constexpr double kFarWave = 0.3;       // the same where the patch is not needed
-constexpr double kBorderWeight = 1e3;  // of a border sample, in mean weights of one inside
-constexpr double kMostUrgent = 1e4;    // of the weight of a sample with the loosest tolerance
+constexpr double kFairWave = 0.05;  // of a span: bending weighs as much as samples on such waves only
+constexpr double kFarWave = 0.3;    // the same where the patch is not needed
+// Of a border sample, in mean weights of one inside: at first, and where the patch is off there.
+constexpr double kBorderWeight = 10, kMostBorderWeight = 1e3;
+constexpr double kMostHeavier = 10;  // a round
+constexpr int kBorderRounds = 2;
+constexpr double kMostUrgent = 1e4;  // of the weight of a sample with the loosest tolerance
 // Spans are halved where samples are off by more than this share of the worst: what is steep at a few places gets its rows
 // and columns there and not everywhere.
 constexpr double kWorthHalving[] = {0.3, 0.6, 0.9, 0.99};
@@ -30,6 +33,7 @@ class HeightFitter {
     HeightFitter(const HeightSamples& samples, const HeightFitOptions& options)
         : samples_(samples), options_(options) {
         const auto &inside = samples.inside, &border = samples.border;
+        border_weights_.assign(border.size(), kBorderWeight);
         for (const auto& s : inside) total_ += s.weight, loosest_ = std::max(loosest_, s.tolerance);
         for (const auto* part : {&inside, &border})
             for (const auto& s : *part) mean_ += s.z / static_cast<double>(inside.size() + border.size());
@@ -44,6 +48,7 @@ class HeightFitter {
             take(result, equations.solve());
             const double worst = worst_to_refine(result.patch);
             if (!(worst > 1 && refine(result.patch, worst))) {
+                meet_border(equations, result);
                 if (options_.limits) hold_below(equations, result);
                 return result;
             }
@@ -51,6 +56,7 @@ class HeightFitter {
     }
 
     HeightFit refit(HeightFit fit) {
+        border_weights_ = fit.border_weights;
         SplineEquations equations(fit.patch.x, fit.patch.y);
         set_up(equations, fit.patch);
         if (options_.limits)
@@ -61,6 +67,24 @@ class HeightFitter {
     }
 
  private:
+    // Border samples that are off weigh more, so that others don't bend what is between them.
+    void meet_border(SplineEquations& equations, HeightFit& fit) {
+        for (int round = 0; round < kBorderRounds && fit.off_border > 0; ++round) {
+            bool any = false;
+            for (std::size_t i = 0; i < border_weights_.size(); ++i) {
+                const double heavier =
+                    std::clamp(off_border_[i] / samples_.border[i].tolerance, 1.0, kMostHeavier);
+                const double weight = std::min(kMostBorderWeight, heavier * border_weights_[i]);
+                any |= weight > border_weights_[i];
+                border_weights_[i] = weight;
+            }
+            if (!any) break;
+            set_up(equations, fit.patch);
+            take(fit, equations.solve());
+        }
+        fit.border_weights = border_weights_;
+    }
+
     void set_up(SplineEquations& equations, const HeightPatch& patch) const {
         const double width = patch.x.high() - patch.x.low(), height = patch.y.high() - patch.y.low();
         const double area = width * height;
@@ -70,9 +94,11 @@ class HeightFitter {
         // About the mean height, so that what is left to rounding is small.
         for (const auto& s : samples_.inside)
             equations.add(s.at, s.z - mean_, s.weight / total_ * urgency(s));
-        const double each =
-            kBorderWeight / static_cast<double>(std::max<std::size_t>(samples_.inside.size(), 1));
-        for (const auto& s : samples_.border) equations.add(s.at, s.z - mean_, each * s.weight);
+        const double each = 1 / static_cast<double>(std::max<std::size_t>(samples_.inside.size(), 1));
+        for (std::size_t i = 0; i < samples_.border.size(); ++i) {
+            const auto& s = samples_.border[i];
+            equations.add(s.at, s.z - mean_, each * border_weights_[i] * s.weight);
+        }
     }
 
     // Functions that hardly reach the place the patch is for would take any value to come a little closer there.
@@ -198,7 +224,7 @@ class HeightFitter {
     const HeightSamples& samples_;
     const HeightFitOptions options_;
     double total_ = 0, mean_ = 0, loosest_ = 0;
-    std::vector<double> off_inside_, off_border_;
+    std::vector<double> off_inside_, off_border_, border_weights_;
 };
 
 double product(const HeightPatch& patch, const CubicKnots::Values& vx, const CubicKnots::Values& vy) {

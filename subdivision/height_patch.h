@@ -54,6 +54,7 @@ struct HeightFit {
     HeightPatch patch;
     double off_inside = 0, off_border = 0;  // largest distance at samples
     std::vector<char> held;                 // [coefficient] whether it is at its limit; empty without limits
+    std::vector<double> border_weights;     // [border sample] in mean weights of one inside
 };
 
 struct HeightSamples {
