@@ -21,6 +21,7 @@ namespace {
 
 constexpr std::uint32_t kNone = PlanCells::kNone;
 constexpr double kEdgeTolerance = 2e-7;  // of the size: curve from the height it follows
+constexpr double kCloseSheets = 5e-4;    // of the size: an edge in one sheet may be off others
 constexpr double kLeastGap = 1e-6;       // of the size: between edges of a wall
 constexpr int kOrderRounds = 4;          // of halving spans of edges of a wall that are not in order
 constexpr int kUncrossRounds = 5;        // of taking moves of lines back
@@ -114,23 +115,41 @@ class Builder {
         });
     }
 
-    // An edge lies midway between its sheets: in the sheet, where it has one only.
+    // The sheet that most faces at an edge are parts of, if the others come close to it all along: in these the edge is its
+    // curve in plan, which CAD programs need not look for again. kNone if there is none.
+    std::uint32_t main_sheet(const PlanCells::Edge& edge, const SplineCurve& line,
+                             const CubicKnots& knots) const {
+        std::vector<std::uint32_t> sheets;
+        for (const auto c : edge.cells) sheets.push_back(brep_.horizons.of_cell[c]);
+        std::ranges::sort(sheets);
+        const std::uint32_t main = sheets[sheets.size() / 2];
+        if (2 * static_cast<std::size_t>(std::ranges::count(sheets, main)) <= sheets.size()) return kNone;
+        for (const double a : knots.breaks()) {
+            const Point2 p{line.at(0, a), line.at(1, a)};
+            const double z = brep_.horizons.sheets[main].z(p);
+            for (const auto s : sheets)
+                if (std::abs(brep_.horizons.sheets[s].z(p) - z) > kCloseSheets * brep_.size) return kNone;
+        }
+        return main;
+    }
+
+    // An edge lies in the sheet of most of its faces, or midway between its sheets.
     void draw_edge(std::size_t e) {
         const auto& edge = brep_.cells.edges[e];
         const auto& line = curves_.lines[edge.line];
-        const auto patch_z = [&](std::uint32_t c, double t) {
-            return brep_.sheet(c).z({line.curve.at(0, t), line.curve.at(1, t)});
-        };
-        const auto middle = [&](double t) {
+        const auto knots = as_fine_as_patches(edge.cells, line.curve);
+        const std::uint32_t main = main_sheet(edge, line.curve, knots);
+        const auto height = [&](double t) {
+            const Point2 p{line.curve.at(0, t), line.curve.at(1, t)};
+            if (main != kNone) return brep_.horizons.sheets[main].z(p);
             double low = INFINITY, high = -INFINITY;
             for (const auto c : edge.cells) {
-                const double z = patch_z(c, t);
+                const double z = brep_.sheet(c).z(p);
                 low = std::min(low, z), high = std::max(high, z);
             }
             return std::midpoint(low, high);
         };
-        const auto knots = as_fine_as_patches(edge.cells, line.curve);
-        auto z = approximate(knots, middle,
+        auto z = approximate(knots, height,
                              {.tolerance = kEdgeTolerance * brep_.size, .most_spans = kMostEdgeSpans});
         auto& result = brep_.edges[e];
         result.side_start = line.side_start;
