@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::size_t kBlock = 48;
 
+using Block = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+
 Eigen::Index index(std::size_t i) {
     return static_cast<Eigen::Index>(i);
 }
@@ -51,7 +53,8 @@ bool BandedCholesky::factorize() {
     return true;
 }
 
-void BandedCholesky::solve_in_place(Eigen::VectorXd& right) const {
+void BandedCholesky::solve_in_place(std::span<double> right_side) const {
+    Eigen::Map<Eigen::VectorXd> right(right_side.data(), index(right_side.size()));
     const Eigen::OuterStride<> stride(index(stride_ - 1));
     const auto block = [&](std::size_t row, std::size_t column, std::size_t rows, std::size_t columns) {
         return Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>(

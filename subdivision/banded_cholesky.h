@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace stratareeb {
@@ -26,11 +26,9 @@ class BandedCholesky {
     [[nodiscard]] bool factorize();
 
     //! \pre factorized
-    void solve_in_place(Eigen::VectorXd& right) const;
+    void solve_in_place(std::span<double> right_side) const;
 
  private:
-    using Block = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
-
     std::size_t width_of(std::size_t first) const;  // of the block that begins there
     std::size_t below(std::size_t end) const;       // rows below a block that it has to do with
 

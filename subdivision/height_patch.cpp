@@ -12,7 +12,7 @@ namespace {
 constexpr double kFairWave = 0.05;  // of a span: bending weighs as much as samples on such waves only
 constexpr double kFarWave = 0.3;    // the same where the patch is not needed
 // Of a border sample, in mean weights of one inside: at first, and where the patch is off there.
-constexpr double kBorderWeight = 10, kMostBorderWeight = 1e3;
+constexpr double kBorderWeight = 300, kMostBorderWeight = 3000;
 constexpr double kMostHeavier = 10;  // a round
 constexpr int kBorderRounds = 2;
 constexpr double kMostUrgent = 1e4;  // of the weight of a sample with the loosest tolerance

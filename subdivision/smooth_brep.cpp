@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::uint32_t kNone = PlanCells::kNone;
 constexpr double kEdgeTolerance = 2e-7;  // of the size: curve from the height it follows
-constexpr double kCloseSheets = 5e-4;    // of the size: an edge in one sheet may be off others
+constexpr double kCloseSheets = 2e-4;    // of the size: an edge in one sheet may be off others
 constexpr double kLeastGap = 1e-6;       // of the size: between edges of a wall
 constexpr int kOrderRounds = 4;          // of halving spans of edges of a wall that are not in order
 constexpr int kUncrossRounds = 5;        // of taking moves of lines back

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "subdivision/spline_equations.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -104,7 +105,7 @@ struct SplineEquations::Impl {
             if (held[row]) right_of(row) = rows[row][3] * highest[row];
         if (!matrix.factorize())
             throw GeometryError("a smooth surface can't be fitted: its equations have no solution");
-        matrix.solve_in_place(right);
+        matrix.solve_in_place({right.data(), rows.size()});
         Eigen::VectorXd result(b.size());
         for (std::size_t f = 0; f < rows.size(); ++f) result[static_cast<Eigen::Index>(f)] = right_of(f);
         return result;

@@ -33,7 +33,7 @@ TEST_P(RandomBand, solves_as_dense_factors_do) {
         ASSERT_TRUE(matrix.factorize());
         const Eigen::VectorXd right = Eigen::VectorXd::NullaryExpr(n, [&] { return number(random); });
         Eigen::VectorXd x = right;
-        matrix.solve_in_place(x);
+        matrix.solve_in_place({x.data(), size});
         EXPECT_LT((full * x - right).norm(), 1e-10 * right.norm());
         EXPECT_LT((x - full.llt().solve(right)).norm(), 1e-8 * x.norm());
     }
