@@ -19,13 +19,7 @@ Eigen::Index index(std::size_t i) {
 }  // namespace
 
 BandedCholesky::BandedCholesky(std::size_t size, std::size_t reach)
-    : size_(size), reach_(reach), stride_(reach + kBlock) {
-    clear();
-}
-
-void BandedCholesky::clear() {
-    band_.assign(size_ * stride_, 0);
-}
+    : size_(size), reach_(reach), stride_(reach + kBlock), band_(size * stride_, 0) {}
 
 std::size_t BandedCholesky::width_of(std::size_t first) const {
     return std::min(kBlock, size_ - first);

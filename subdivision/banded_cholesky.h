@@ -16,8 +16,6 @@ class BandedCholesky {
     //! \param reach how far from the diagonal numbers may lie
     BandedCholesky(std::size_t size, std::size_t reach);
 
-    void clear();
-
     //! A number on the diagonal or below, column <= row <= column + reach.
     double& at(std::size_t row, std::size_t column) { return band_[column * stride_ + (row - column)]; }
 

@@ -69,7 +69,7 @@ class HeightFitter {
  private:
     // Border samples that are off weigh more, so that others don't bend what is between them.
     void meet_border(SplineEquations& equations, HeightFit& fit) {
-        for (int round = 0; round < kBorderRounds && fit.off_border > 0; ++round) {
+        for (int round = 0; round < kBorderRounds; ++round) {
             bool any = false;
             for (std::size_t i = 0; i < border_weights_.size(); ++i) {
                 const double heavier =

@@ -50,11 +50,7 @@ std::vector<std::array<double, 4>> gram(const CubicKnots& knots, int derivative)
 // those with di = 0 and dj < 0 stay unused.
 struct SplineEquations::Impl {
     Impl(const CubicKnots& along_x, const CubicKnots& along_y)
-        : x(along_x),
-          y(along_y),
-          nx(x.functions()),
-          ny(y.functions()),
-          matrix(nx * ny, 3 * std::min(nx, ny) + 3) {}
+        : x(along_x), y(along_y), nx(x.functions()), ny(y.functions()) {}
 
     // The row's places in use, with the rows of the other functions, ascending.
     template <typename Visit>
@@ -83,13 +79,13 @@ struct SplineEquations::Impl {
     }
 
     // With coefficients that are held at limits taken out of the equations.
-    Eigen::VectorXd solve(const std::vector<char>& held, const std::vector<double>& highest) {
+    Eigen::VectorXd solve(const std::vector<char>& held, const std::vector<double>& highest) const {
         Eigen::VectorXd right(b.size());
         const auto right_of = [&](std::size_t f) -> double& {
             return right[static_cast<Eigen::Index>(place_of(f))];
         };
         for (std::size_t f = 0; f < rows.size(); ++f) right_of(f) = b[static_cast<Eigen::Index>(f)];
-        matrix.clear();
+        BandedCholesky matrix(rows.size(), 3 * std::min(nx, ny) + 3);
         for (std::size_t row = 0; row < rows.size(); ++row)
             each_product(row, [&](std::size_t place, std::size_t other) {
                 const double product = rows[row][place];
@@ -126,7 +122,6 @@ struct SplineEquations::Impl {
     CubicKnots x, y;
     std::size_t nx, ny;
     std::vector<std::array<double, 28>> rows;
-    BandedCholesky matrix;
     Eigen::VectorXd b;
 };
 

@@ -24,9 +24,8 @@ TEST_P(RandomBand, solves_as_dense_factors_do) {
         for (Eigen::Index i = j; i < std::min(n, j + 1 + static_cast<Eigen::Index>(reach)); ++i)
             band(i, j) = i == j ? 1.5 + number(random) : number(random) / static_cast<double>(reach + 1);
     const Eigen::MatrixXd full = band * band.transpose();
-    BandedCholesky matrix(size, reach);
     for (int again = 0; again < 2; ++again) {
-        matrix.clear();
+        BandedCholesky matrix(size, reach);
         for (std::size_t j = 0; j < size; ++j)
             for (std::size_t i = j; i <= std::min(size - 1, j + reach); ++i)
                 matrix.at(i, j) = full(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
