@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kFairWave = 0.05;  // of a span: bending weighs as much as samples on such waves only
 constexpr double kFarWave = 0.3;    // the same where the patch is not needed
-// Of a border sample, in mean weights of one inside: at first, and where the patch is off there.
-constexpr double kBorderWeight = 300, kMostBorderWeight = 3000;
+constexpr double kMostBorderWeight =
+    3000;  // of a border sample that the patch misses, in mean weights of one inside
 constexpr double kMostHeavier = 10;  // a round
 constexpr int kBorderRounds = 2;
 constexpr double kMostUrgent = 1e4;  // of the weight of a sample with the loosest tolerance
@@ -33,7 +33,7 @@ class HeightFitter {
     HeightFitter(const HeightSamples& samples, const HeightFitOptions& options)
         : samples_(samples), options_(options) {
         const auto &inside = samples.inside, &border = samples.border;
-        border_weights_.assign(border.size(), kBorderWeight);
+        border_weights_.assign(border.size(), options.border_weight);
         for (const auto& s : inside) total_ += s.weight, loosest_ = std::max(loosest_, s.tolerance);
         for (const auto* part : {&inside, &border})
             for (const auto& s : *part) mean_ += s.z / static_cast<double>(inside.size() + border.size());

@@ -47,6 +47,8 @@ struct HeightFitOptions {
     //! Spans to begin with, over all samples and more; those beyond the samples are left out.
     CubicKnots x{{0, 1}}, y{{0, 1}};
     std::size_t most_functions = 40'000;
+    //! Of a border sample at first, in mean weights of one inside; more where the patch misses it.
+    double border_weight = 300;
     LimitMaker limits;  // none if empty: samples' highest count with them only
 };
 

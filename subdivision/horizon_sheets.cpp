@@ -19,8 +19,11 @@ namespace {
 constexpr std::uint32_t kNone = PlanCells::kNone;
 constexpr double kLeastTolerance = 0.1;  // as a share of a sheet's own: else knots gather at thin places
 constexpr double kBorderShare = 0.1;     // of a sheet's tolerance: what it may be off where its body ends
-constexpr int kSamplesAnEdge = 4;        // of the plan's triangles, along the end of a body
-constexpr double kMargin = 0.02;         // of the longer side, around the plan
+// Of samples where a body ends, in mean weights of others: where its base is to stay a hair below the sheet above, and where
+// the two only are to meet.
+constexpr double kGapWeight = 300, kMeetingWeight = 10;
+constexpr int kSamplesAnEdge = 4;  // of the plan's triangles, along the end of a body
+constexpr double kMargin = 0.02;   // of the longer side, around the plan
 constexpr double kGroundShare =
     0.5;                            // of the functions that a sheet may have; the lowest horizon may have all
 constexpr double kMuchOfTop = 0.3;  // of a body's area: the sheets above that much of it lend it their spans
@@ -186,8 +189,12 @@ class Fitter {
             x = more_x;
             y = more_y;
         }
-        return fit_height_patch(
-            samples, {.finest = finest(faces), .x = x, .y = y, .most_functions = most, .limits = limits});
+        return fit_height_patch(samples, {.finest = finest(faces),
+                                          .x = x,
+                                          .y = y,
+                                          .most_functions = most,
+                                          .border_weight = options_.end_gap > 0 ? kGapWeight : kMeetingWeight,
+                                          .limits = limits});
     }
 
     static CubicKnots joined(const CubicKnots& a, const CubicKnots& b) {
