@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "boreholes/errors.h"
+#include "boreholes/length_unit.h"
 #include "boreholes/listed_layers.h"
 #include "boreholes/plan_layout.h"
 #include "boreholes/unit_colors.h"
@@ -21,13 +22,6 @@
 
 namespace stratareeb {
 namespace {
-
-double metres_per(const std::string& unit) {
-    if (unit == "m") return 1;
-    if (unit == "ft") return 0.3048;
-    if (unit == "us-ft") return 1200.0 / 3937.0;
-    throw InvalidInput(fmt::format("unit of length \"{}\" is not known: m, ft or us-ft", unit));
-}
 
 void check_stated_roles(const ReadBoreholesOptions& options) {
     const auto& roles = stated_role_names();

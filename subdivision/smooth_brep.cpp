@@ -8,6 +8,7 @@
 #include <iterator>
 #include <numeric>
 
+#include "boreholes/length_unit.h"
 #include "mesh/compensated_sum.h"
 #include "subdivision/cell_integrals.h"
 #include "subdivision/crossed_lines.h"
@@ -21,12 +22,15 @@ namespace {
 
 constexpr std::uint32_t kNone = PlanCells::kNone;
 constexpr double kEdgeTolerance = 2e-7;  // of the size: curve from the height it follows
-constexpr double kCloseSheets = 2e-4;    // of the size: an edge in one sheet may be off others
-constexpr double kLeastGap = 1e-6;       // of the size: between edges of a wall
-constexpr int kOrderRounds = 4;          // of halving spans of edges of a wall that are not in order
-constexpr int kUncrossRounds = 5;        // of taking moves of lines back
-constexpr double kEdgeSpan = 1.5;        // of the patches' spans around it
-constexpr int kSamplesASpan = 10;        // of an edge, for its tolerance
+// CAD programs look anew for the place in a face of each edge that is more than a millimetre from it, which takes long: curves
+// keep to this many metres, in models of up to that size.
+constexpr double kCloseEdge = 3e-4, kMostCloseSize = 2e4;
+constexpr double kCloseSheets = 2e-4;  // of the size: an edge in one sheet may be off others
+constexpr double kLeastGap = 1e-6;     // of the size: between edges of a wall
+constexpr int kOrderRounds = 4;        // of halving spans of edges of a wall that are not in order
+constexpr int kUncrossRounds = 5;      // of taking moves of lines back
+constexpr double kEdgeSpan = 1.5;      // of the patches' spans around it
+constexpr int kSamplesASpan = 10;      // of an edge, for its tolerance
 constexpr std::size_t kMostEdgeSpans = 1500;
 constexpr std::size_t kMostCadSpans = 12;  // of one of the edges that CAD programs get
 
@@ -60,6 +64,11 @@ class Builder {
  private:
     const std::vector<PlanCells::Cell>& cells() const { return brep_.cells.cells; }
     const std::vector<PlanCells::Body>& bodies() const { return brep_.cells.bodies; }
+
+    double edge_tolerance() const {
+        const double tolerance = kEdgeTolerance * brep_.size, unit = metres_per(model_.length_unit);
+        return brep_.size * unit > kMostCloseSize ? tolerance : std::min(tolerance, kCloseEdge / unit);
+    }
 
     // Lines that would cross others stay, and are drawn more closely.
     void move_lines(LineMoves moves) {
@@ -149,8 +158,7 @@ class Builder {
             }
             return std::midpoint(low, high);
         };
-        auto z = approximate(knots, height,
-                             {.tolerance = kEdgeTolerance * brep_.size, .most_spans = kMostEdgeSpans});
+        auto z = approximate(knots, height, {.tolerance = edge_tolerance(), .most_spans = kMostEdgeSpans});
         auto& result = brep_.edges[e];
         result.side_start = line.side_start;
         result.curve.knots = z.knots;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace stratareeb {
 namespace {
@@ -48,6 +49,26 @@ TEST(HeightPatch, meets_its_border_most_closely) {
     const auto fit = fit_height_patch(samples, kFit);
     EXPECT_LT(fit.off_border, 0.05);
     EXPECT_LT(fit.off_border, fit.off_inside / 10);
+}
+
+// A border that can't be met all along bends what is inside less where it weighs less.
+TEST(HeightPatch, is_bent_less_by_a_lighter_border) {
+    auto samples = grid([](double x, double) { return 0.1 * x; });
+    for (int i = 0; i <= 400; ++i)
+        samples.border.push_back({.at = {50, i * 0.25}, .z = 5 + 0.5 * std::sin(i / 3.0), .tolerance = 0.5});
+    HeightFitOptions options{
+        .x = CubicKnots::uniform(-5, 105, 12), .y = CubicKnots::uniform(-5, 105, 12), .most_functions = 0};
+    const auto off = [&](double weight) {
+        options.border_weight = weight;
+        const HeightPatch patch = fit_height_patch(samples, options).patch;
+        double inside = 0, border = 0;
+        for (const auto& s : samples.inside) inside += std::abs(patch.z(s.at) - s.z);
+        for (const auto& s : samples.border) border += std::pow(patch.z(s.at) - s.z, 2);
+        return std::pair(inside, border);
+    };
+    const auto light = off(10), heavy = off(300);
+    EXPECT_LT(light.first, 0.9 * heavy.first);
+    EXPECT_GT(light.second, heavy.second);
 }
 
 // Noise at its edge must not make a sheet run off where nothing holds it.
