@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "grid_model.h"
+#include "tests/grid_model.h"
 
 namespace stratareeb {
 namespace {
