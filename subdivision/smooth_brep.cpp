@@ -67,7 +67,15 @@ class Builder {
 
     double edge_tolerance() const {
         const double tolerance = kEdgeTolerance * brep_.size, unit = metres_per(model_.length_unit);
-        return brep_.size * unit > kMostCloseSize ? tolerance : std::min(tolerance, kCloseEdge / unit);
+        const bool too_large = brep_.size * unit > kMostCloseSize;
+        return too_large || only_meet() ? tolerance : std::min(tolerance, kCloseEdge / unit);
+    }
+
+    // Where bodies end without a gap, sheets are further than that from each other anyway.
+    bool only_meet() const {
+        return !has_gaps(brep_.horizons) &&
+               std::ranges::any_of(sheet_gaps(brep_.cells, brep_.horizons),
+                                   [](const SheetGaps& gaps) { return !gaps.empty(); });
     }
 
     // Lines that would cross others stay, and are drawn more closely.
@@ -118,6 +126,7 @@ class Builder {
     double area(std::uint32_t face) const { return plan_.calc_face_area(plan_.face_handle(face)); }
 
     void draw_edges() {
+        edge_tolerance_ = edge_tolerance();
         brep_.edges.resize(brep_.cells.edges.size());
         tbb::parallel_for(std::size_t{0}, brep_.edges.size(), [&](std::size_t e) {
             if (brep_.cells.edges[e].line != kNone) draw_edge(e);
@@ -158,7 +167,7 @@ class Builder {
             }
             return std::midpoint(low, high);
         };
-        auto z = approximate(knots, height, {.tolerance = edge_tolerance(), .most_spans = kMostEdgeSpans});
+        auto z = approximate(knots, height, {.tolerance = edge_tolerance_, .most_spans = kMostEdgeSpans});
         auto& result = brep_.edges[e];
         result.side_start = line.side_start;
         result.curve.knots = z.knots;
@@ -311,6 +320,7 @@ class Builder {
     const SmoothBrepOptions& options_;
     SmoothBrep brep_;
     PlanCurves curves_;
+    double edge_tolerance_ = 0;
 };
 
 void measure_edge(SmoothBrep& brep, std::size_t e) {
