@@ -33,12 +33,11 @@
 #include <fmt/format.h>
 
 #include "boreholes/errors.h"
+#include "boreholes/length_unit.h"
 #include "io/write_aside.h"
 
 namespace stratareeb {
 namespace {
-
-constexpr double kUsSurveyFoot_mm = 1200.0 / 3937.0 * 1000.0;
 
 // OpenCASCADE's settings and messages belong to the process: one writer at a time, and all is put back
 // afterwards.
@@ -130,7 +129,7 @@ void finish_model(const Handle(StepData_StepModel) & model, const StepDocumentOp
         const auto unit = Handle(StepBasic_ConversionBasedUnitAndLengthUnit)::DownCast(entity);
         if (unit.IsNull()) continue;
         unit->SetName(text("US SURVEY FOOT"));
-        unit->ConversionFactor()->SetValueComponent(kUsSurveyFoot_mm);
+        unit->ConversionFactor()->SetValueComponent(metres_per(options.length_unit) * 1000);
     }
     APIHeaderSection_MakeHeader header(model);
     header.SetName(text("model.step"));

@@ -10,6 +10,7 @@
 
 #include "boreholes/length_unit.h"
 #include "mesh/compensated_sum.h"
+#include "subdivision/body_ends.h"
 #include "subdivision/cell_integrals.h"
 #include "subdivision/crossed_lines.h"
 #include "subdivision/followed_lines.h"
@@ -74,8 +75,8 @@ class Builder {
     // Where bodies end without a gap, sheets are further than that from each other anyway.
     bool only_meet() const {
         return !has_gaps(brep_.horizons) &&
-               std::ranges::any_of(sheet_gaps(brep_.cells, brep_.horizons),
-                                   [](const SheetGaps& gaps) { return !gaps.empty(); });
+               std::ranges::any_of(body_ends(brep_.cells, brep_.horizons.of_cell),
+                                   [](const auto& ends) { return !ends.empty(); });
     }
 
     // Lines that would cross others stay, and are drawn more closely.
@@ -126,10 +127,10 @@ class Builder {
     double area(std::uint32_t face) const { return plan_.calc_face_area(plan_.face_handle(face)); }
 
     void draw_edges() {
-        edge_tolerance_ = edge_tolerance();
+        const double tolerance = edge_tolerance();
         brep_.edges.resize(brep_.cells.edges.size());
         tbb::parallel_for(std::size_t{0}, brep_.edges.size(), [&](std::size_t e) {
-            if (brep_.cells.edges[e].line != kNone) draw_edge(e);
+            if (brep_.cells.edges[e].line != kNone) draw_edge(e, tolerance);
         });
     }
 
@@ -152,7 +153,7 @@ class Builder {
     }
 
     // An edge lies in the sheet of most of its faces, or midway between its sheets.
-    void draw_edge(std::size_t e) {
+    void draw_edge(std::size_t e, double tolerance) {
         const auto& edge = brep_.cells.edges[e];
         const auto& line = curves_.lines[edge.line];
         const auto knots = as_fine_as_patches(edge.cells, line.curve);
@@ -167,7 +168,7 @@ class Builder {
             }
             return std::midpoint(low, high);
         };
-        auto z = approximate(knots, height, {.tolerance = edge_tolerance_, .most_spans = kMostEdgeSpans});
+        auto z = approximate(knots, height, {.tolerance = tolerance, .most_spans = kMostEdgeSpans});
         auto& result = brep_.edges[e];
         result.side_start = line.side_start;
         result.curve.knots = z.knots;
@@ -320,7 +321,6 @@ class Builder {
     const SmoothBrepOptions& options_;
     SmoothBrep brep_;
     PlanCurves curves_;
-    double edge_tolerance_ = 0;
 };
 
 void measure_edge(SmoothBrep& brep, std::size_t e) {

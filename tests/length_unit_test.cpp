@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "boreholes/errors.h"
 
 namespace stratareeb {

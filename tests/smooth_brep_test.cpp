@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/grid_model.h"
@@ -25,9 +26,7 @@ SmoothBrep brep_of(double times, const char* unit) {
 }
 
 double worst_edge(const SmoothBrep& brep) {
-    double worst = 0;
-    for (const auto& quality : brep.quality) worst = std::max(worst, quality.edge_off);
-    return worst;
+    return std::ranges::max(brep.quality, {}, &SmoothBrep::BodyQuality::edge_off).edge_off;
 }
 
 // Beyond a millimetre programs look for edges anew: this is what makes them open a file slowly.
