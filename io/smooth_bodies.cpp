@@ -12,15 +12,18 @@
 #include <tuple>
 #include <utility>
 
+#include "boreholes/length_unit.h"
 #include "io/coarse_facets.h"
 #include "io/smooth_shapes.h"
 #include "subdivision/integration_strips.h"
+#include "subdivision/projection_strips.h"
 
 namespace stratareeb {
 namespace {
 
 constexpr double kIntegrationShare =
     0.4;                              // of the volume that a body may be off, for how CAD programs integrate
+constexpr double kCloseEdge = 1e-3;   // metres from a face: CAD programs open such edges quickly
 constexpr double kFacetShare = 0.02;  // of the thinnest body's mean thickness: what facets may be off
 constexpr int kRetries = 3;           // of the fit, while bodies have faults
 // Of all sheets together, so that a model of hundreds of bodies comes to an end; and of one sheet at least.
@@ -96,6 +99,8 @@ class Maker {
 
     void cut_and_examine() {
         cut_for_integration(brep_, kIntegrationShare * options_.volume_tolerance);
+        if (cut_for_projection(brep_, kCloseEdge / metres_per(model_.length_unit)))
+            cut_for_integration(brep_, kIntegrationShare * options_.volume_tolerance);
         examine_all();
     }
 

@@ -153,7 +153,7 @@ class ShapeBuilder {
             return pieces;
         }
         const auto& curve = brep_.edges[e].curve;
-        const auto breaks = cad_edge_ends(curve.knots);
+        const auto breaks = cad_edge_ends(brep_.edges[e]);
         TopoDS_Vertex from = vertices_[ends.from];
         for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
             const std::size_t first = breaks[k], last = breaks[k + 1];

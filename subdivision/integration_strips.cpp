@@ -8,7 +8,6 @@
 #include <functional>
 #include <utility>
 
-#include "boreholes/errors.h"
 #include "subdivision/cell_integrals.h"
 #include "subdivision/strip_cells.h"
 
@@ -17,23 +16,25 @@ namespace {
 
 constexpr std::uint32_t kNone = PlanCells::kNone;
 constexpr double kRest = 0.5;          // of the error allowed, that faces left whole may add up to
+constexpr double kEdgeRest = 0.25;     // the same of edges
 constexpr int kMostHalvings = 6;       // of a face
 constexpr std::size_t kMostCells = 4;  // times as many as there were
 
 class Strips {
  public:
-    Strips(SmoothBrep& brep, double share) : brep_(brep), share_(share) {
-        for (const auto& body : brep.cells.bodies) middle_.push_back(middle_of(body));
-    }
+    Strips(SmoothBrep& brep, double share) : brep_(brep), share_(share) {}
 
     void cut() {
         const std::size_t most = kMostCells * brep_.cells.cells.size() + 100;
-        std::vector<char> stale(brep_.cells.cells.size(), 1);
-        for (int round = 0; round < kMostHalvings && stale.size() < most; ++round) {
-            measure(stale);
-            stale = harmful();
-            if (!halve(stale)) return;
-            stale.resize(brep_.cells.cells.size(), 1);
+        int halvings = 0;
+        while (halvings < kMostHalvings && brep_.cells.cells.size() < most) {
+            measure();
+            const Harmful which = harmful();
+            if (!which.edges.empty())
+                shorten(which.edges);
+            else
+                ++halvings;
+            if (halve_cells(brep_, which.cells) == 0 && which.edges.empty()) return;
         }
     }
 
@@ -51,7 +52,7 @@ class Strips {
                 const auto& edge = brep_.cells.edges[use.edge];
                 const auto& curve = brep_.edges[use.edge].curve;
                 if (edge.line != kNone) {
-                    const auto ends = cad_edge_ends(curve.knots);
+                    const auto ends = cad_edge_ends(brep_.edges[use.edge]);
                     for (std::size_t k = 1; k + 1 < ends.size(); ++k) {
                         const double t = curve.knots.breaks()[ends[k]];
                         add_corner({curve.at(0, t), curve.at(1, t), curve.at(2, t)}, 2);  // of two edges
@@ -68,61 +69,90 @@ class Strips {
         return {sum.x / count, sum.y / count, sum.z / count};
     }
 
-    void measure(const std::vector<char>& stale) {
-        as_base_.resize(stale.size());
-        as_top_.resize(stale.size());
-        tbb::parallel_for(std::size_t{0}, stale.size(), [&](std::size_t c) {
-            if (!stale[c]) return;
-            const auto& cell = brep_.cells.cells[c];
-            const auto error = [&](std::uint32_t body) {
-                return body == kNone ? 0
-                                     : integration_error(brep_, static_cast<std::uint32_t>(c), middle_[body]);
-            };
-            as_base_[c] = -error(cell.body_above);
-            as_top_[c] = error(cell.body_below);
-        });
+    void measure() {
+        middle_.clear();
+        for (const auto& body : brep_.cells.bodies) middle_.push_back(middle_of(body));
+        as_base_.resize(brep_.cells.cells.size());
+        as_top_.resize(as_base_.size());
+        tbb::parallel_for(
+            std::uint32_t{0}, static_cast<std::uint32_t>(as_base_.size()), [&](std::uint32_t c) {
+                const auto& cell = brep_.cells.cells[c];
+                const auto error = [&](std::uint32_t body) {
+                    return body == kNone ? IntegrationError{} : integration_error(brep_, c, middle_[body]);
+                };
+                as_base_[c] = error(cell.body_above);
+                as_top_[c] = error(cell.body_below);
+            });
     }
 
-    std::vector<char> harmful() const {
-        std::vector<char> which(brep_.cells.cells.size(), 0);
+    //! What is to be halved.
+    struct Harmful {
+        std::vector<char> cells;
+        std::vector<std::uint32_t> edges;
+    };
+
+    // Of a body, edges before cells.
+    Harmful harmful() const {
+        Harmful which{std::vector<char>(brep_.cells.cells.size(), 0), {}};
         for (std::size_t b = 0; b < brep_.cells.bodies.size(); ++b) {
             const auto& body = brep_.cells.bodies[b];
             const double most = share_ * brep_.quality[b].mesh_volume;
-            std::vector<std::pair<double, std::uint32_t>> worst;
-            double all = 0, rest = 0;
-            const auto add = [&](double off, std::uint32_t c) {
-                worst.emplace_back(std::abs(off), c);
-                all += off;
-                rest += std::abs(off);
+            Sources cells, edges;
+            double all = 0;
+            const auto add = [&](const IntegrationError& error, std::uint32_t c, int sign) {
+                all += sign * error.all();
+                cells.emplace_back(std::abs(error.all()), c);
+                std::size_t k = 0;
+                for (const auto& loop : brep_.cells.cells[c].loops)
+                    for (const auto& use : loop) edges.emplace_back(std::abs(error.along[k++]), use.edge);
             };
-            for (const auto c : body.top) add(as_top_[c], c);
-            for (const auto c : body.base) add(as_base_[c], c);
-            if (std::abs(all) <= most) continue;
-            std::ranges::stable_sort(worst, std::greater{}, [](const auto& w) { return w.first; });
-            for (const auto& [off, c] : worst) {
-                if (rest <= kRest * most) break;
-                which[c] = 1;
-                rest -= off;
+            for (const auto c : body.top) add(as_top_[c], c, 1);
+            for (const auto c : body.base) add(as_base_[c], c, -1);
+            for (const auto& wall : body.walls) {
+                const auto along = wall_integration_error(brep_, wall, middle_[b]);
+                for (std::size_t k = 0; k < along.size(); ++k) {
+                    all += along[k];
+                    edges.emplace_back(std::abs(along[k]), wall.loop[k].edge);
+                }
             }
+            if (std::abs(all) <= most) continue;
+            const auto worst_edges = worst(std::move(edges), kEdgeRest * most);
+            which.edges.insert(which.edges.end(), worst_edges.begin(), worst_edges.end());
+            if (worst_edges.empty())
+                for (const auto c : worst(std::move(cells), kRest * most)) which.cells[c] = 1;
         }
         return which;
     }
 
-    // False if none can be halved: then all stays as it is.
-    bool halve(const std::vector<char>& which) {
-        SmoothBrep whole = brep_;
-        try {
-            return halve_cells(brep_, which) > 0;
-        } catch (const GeometryError&) {
-            brep_ = std::move(whole);
-            return false;
+    using Sources = std::vector<std::pair<double, std::uint32_t>>;  // an error and where it comes from
+
+    // The others add up to no more than a rest.
+    static std::vector<std::uint32_t> worst(Sources sources, double rest) {
+        std::ranges::stable_sort(sources, std::greater{}, [](const auto& s) { return s.first; });
+        double sum = 0;
+        for (const auto& [off, from] : sources) sum += off;
+        std::vector<std::uint32_t> result;
+        for (const auto& [off, from] : sources) {
+            if (sum <= rest) break;
+            result.push_back(from);
+            sum -= off;
+        }
+        return result;
+    }
+
+    void shorten(std::vector<std::uint32_t> edges) {
+        std::ranges::sort(edges);
+        edges.erase(std::ranges::unique(edges).begin(), edges.end());
+        for (const auto e : edges) {
+            auto& edge = brep_.edges[e];
+            edge.cad_spans = std::max<std::size_t>(1, std::min(edge.cad_spans, edge.curve.knots.spans()) / 2);
         }
     }
 
     SmoothBrep& brep_;
     double share_;
-    std::vector<Point3> middle_;            // [body]
-    std::vector<double> as_base_, as_top_;  // [cell] what is too much in the body above, and in the one below
+    std::vector<Point3> middle_;                      // [body]
+    std::vector<IntegrationError> as_base_, as_top_;  // [cell] of the body above, and of the one below
 };
 
 }  // namespace

@@ -33,7 +33,6 @@ constexpr int kUncrossRounds = 5;      // of taking moves of lines back
 constexpr double kEdgeSpan = 1.5;      // of the patches' spans around it
 constexpr int kSamplesASpan = 10;      // of an edge, for its tolerance
 constexpr std::size_t kMostEdgeSpans = 1500;
-constexpr std::size_t kMostCadSpans = 12;  // of one of the edges that CAD programs get
 
 class Builder {
  public:
@@ -339,8 +338,8 @@ void measure_edge(SmoothBrep& brep, std::size_t e) {
 
 }  // namespace
 
-std::vector<std::size_t> cad_edge_ends(const CubicKnots& knots) {
-    const std::size_t spans = knots.spans(), count = (spans + kMostCadSpans - 1) / kMostCadSpans;
+std::vector<std::size_t> cad_edge_ends(const SmoothBrep::Edge& edge) {
+    const std::size_t spans = edge.curve.knots.spans(), count = (spans + edge.cad_spans - 1) / edge.cad_spans;
     std::vector<std::size_t> ends;
     for (std::size_t k = 0; k <= count; ++k) ends.push_back(k * spans / count);
     return ends;

@@ -15,11 +15,14 @@ namespace stratareeb {
 //! each body, trimmed by cubic B-spline edges, and upright walls. Each curve in plan is its own curve in a sheet's parameters, so that faces
 //! and edges differ in height only, by no more than the tolerances here say.
 struct SmoothBrep {
+    static constexpr std::size_t kMostCadSpans = 96;  // long edges make files quick to open
+
     //! x, y, z over a parameter; a line between its corners where it is upright.
     struct Edge {
         SplineCurve curve{CubicKnots({0, 1}), {}};
         std::vector<double> tolerances;  // [span] sheets and curve are no further apart
         double side_start = 0;  // on the rim: its beginning on its side, whose parameter goes on from there
+        std::size_t cad_spans = kMostCadSpans;  // of one of the edges that CAD programs get for it
     };
 
     struct BodyQuality {
@@ -58,9 +61,9 @@ SmoothBrep build_smooth_brep(const LayerModel& model, const SmoothBrepOptions& o
 SmoothBrep rebuild_smooth_brep(const LayerModel& model, const HorizonSheets& sheets,
                                const SmoothBrepOptions& options);
 
-//! CAD programs integrate along an edge with a fixed number of points: one of many spans is made of several edges.
+//! CAD programs integrate along an edge with a fixed number of points: one of many spans may be made of several edges.
 //! \return the spans that they begin with, and the number of spans
-std::vector<std::size_t> cad_edge_ends(const CubicKnots& knots);
+std::vector<std::size_t> cad_edge_ends(const SmoothBrep::Edge& edge);
 
 //! How far edges are from the sheets that meet there, for `tolerances` and `quality`.
 void measure_edges(SmoothBrep& brep);

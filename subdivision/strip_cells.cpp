@@ -346,7 +346,13 @@ std::size_t halve_cells(SmoothBrep& brep, const std::vector<char>& which) {
     const std::vector<double> lines = halving_lines(brep, which);
     const auto cut = std::ranges::count_if(lines, [](double x) { return !std::isnan(x); });
     if (cut == 0) return 0;
-    Cutter(brep, lines).cut();
+    SmoothBrep whole = brep;
+    try {
+        Cutter(brep, lines).cut();
+    } catch (const GeometryError&) {
+        brep = std::move(whole);
+        return 0;
+    }
     measure_edges(brep);
     return static_cast<std::size_t>(cut);
 }

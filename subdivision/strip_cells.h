@@ -13,8 +13,7 @@ namespace stratareeb {
 //! curves of it, exactly.
 //! \param which [brep.cells.cells] whether to cut it; those of less than four spans stay whole. The first strip keeps the
 //! number.
-//! \return how many were cut
-//! \throw GeometryError if an edge only touches a line; the faces are cut in part then.
+//! \return how many were cut: none if an edge only touches a line
 std::size_t halve_cells(SmoothBrep& brep, const std::vector<char>& which);
 
 }  // namespace stratareeb

@@ -11,6 +11,8 @@
 #include <TopoDS_Shape.hxx>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include "io/cad_body.h"
 #include "io/smooth_shapes.h"
@@ -56,6 +58,25 @@ TEST(IntegrationStrips, make_the_volumes_right_that_a_cad_program_finds) {
     EXPECT_LT(brep.cells.cells.size(), whole + 30);
 }
 
+// Faces are not cut for what edges of many spans do: these become several.
+TEST(IntegrationStrips, begin_with_edges) {
+    SmoothBrep brep = build_smooth_brep(
+        test::grid_model({.cells = 60,
+                          .ground = [](double, double y) { return 12 * std::sin(y / 2); },
+                          .thickness = {[](double, double y) { return 0.5 + 0.3 * std::sin(y / 2.5); },
+                                        test::constant(3)}}),
+        {.sheets = {.most_functions = 6000}});
+    ASSERT_GT(worst_off(brep), 1e-3) << "nothing to mend";
+    SmoothBrep of_short_edges = brep;
+    for (auto& edge : of_short_edges.edges) edge.cad_spans = 4;
+    cut_for_integration(of_short_edges, 5e-4);
+    cut_for_integration(brep, 5e-4);
+    EXPECT_LT(worst_off(brep), 5.5e-4);
+    EXPECT_LE(brep.cells.cells.size(), of_short_edges.cells.cells.size());
+    const auto is_several = [](const auto& edge) { return cad_edge_ends(edge).size() > 2; };
+    EXPECT_TRUE(std::ranges::any_of(brep.edges, is_several));
+}
+
 // What a program will add to a volume by mistake is foretold, face by face.
 TEST(IntegrationStrips, errors_are_those_of_opencascade) {
     const SmoothBrep brep = wavy_layers(4);
@@ -71,10 +92,54 @@ TEST(IntegrationStrips, errors_are_those_of_opencascade) {
             const double cone = BRepGProp_Vinert(surface, outline, from).Mass();
             const double exact = integrate_cell(brep, c, {x, 20, -5}).cone;
             ASSERT_GT(std::abs(cone - exact), 0.5) << x;
-            EXPECT_NEAR(integration_error(brep, c, {x, 20, -5}) / (cone - exact), 1, 0.01) << x;
+            EXPECT_NEAR(integration_error(brep, c, {x, 20, -5}).all() / (cone - exact), 1, 0.01) << x;
             face.Next();
         }
     }
+}
+
+// Walls have their edges in common with top and base. Of few spans they are right.
+TEST(IntegrationStrips, errors_along_walls_are_those_of_opencascade) {
+    const SmoothBrep brep = wavy_layers(4);
+    SmoothBrep fine = brep;
+    for (auto& edge : fine.edges) edge.cad_spans = 3;
+    const auto& body = brep.cells.bodies[1];
+    const Point3 from{30, 20, -5};
+    const auto cones = [&](const SmoothBrep& of) {
+        std::vector<double> result;
+        const auto shapes = smooth_shapes(of);
+        TopExp_Explorer face(*shapes[1], TopAbs_FACE);
+        for (std::size_t i = 0; i < body.top.size() + body.base.size(); ++i) face.Next();
+        for (; face.More(); face.Next()) {
+            BRepGProp_Face surface;
+            surface.Load(TopoDS::Face(face.Current()));
+            BRepGProp_Domain outline(TopoDS::Face(face.Current()));
+            result.push_back(BRepGProp_Vinert(surface, outline, {from.x, from.y, from.z}).Mass());
+        }
+        return result;
+    };
+    const auto found = cones(brep), right = cones(fine);
+    ASSERT_EQ(found.size(), body.walls.size());
+    double largest = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const auto along = wall_integration_error(brep, body.walls[i], from);
+        const double foretold = std::accumulate(along.begin(), along.end(), 0.0);
+        EXPECT_NEAR(foretold, found[i] - right[i], 0.01 * std::abs(foretold) + 1e-3) << i;
+        largest = std::max(largest, std::abs(foretold));
+    }
+    EXPECT_GT(largest, 1);
+}
+
+// Edges of few spans leave what comes from across a face.
+TEST(IntegrationStrips, tell_edges_from_faces) {
+    SmoothBrep brep = wavy_layers(4);
+    const Point3 from{10, 20, -5};
+    const auto before = integration_error(brep, 0, from);
+    for (auto& edge : brep.edges) edge.cad_spans = 4;
+    const auto after = integration_error(brep, 0, from);
+    EXPECT_EQ(after.along, std::vector<double>(before.along.size(), 0));
+    EXPECT_GT(std::abs(before.all() - before.across), std::abs(before.across) / 100);
+    EXPECT_NEAR(after.across, before.across, 0.02 * std::abs(before.across));
 }
 
 }  // namespace
