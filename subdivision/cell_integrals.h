@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "boreholes/point.h"
 #include "subdivision/smooth_brep.h"
@@ -19,22 +18,6 @@ struct CellIntegrals {
 
 //! \param from the point that `cone` is measured from
 CellIntegrals integrate_cell(const SmoothBrep& brep, std::uint32_t cell, const Point3& from = {});
-
-//! What CAD programs add to `cone` by mistake.
-struct IntegrationError {
-    double across = 0;          // along x, from the face's lowest x to its edges
-    std::vector<double> along;  // each edge, in the order of the loops
-
-    double all() const;
-};
-
-//! OpenCASCADE integrates along each edge, and along x from the face's lowest x to the edge, with at most 61 points of Gauss,
-//! whatever the spans between (BRepGProp_Face, BRepGProp_Gauss of version 7.6).
-IntegrationError integration_error(const SmoothBrep& brep, std::uint32_t cell, const Point3& from);
-
-//! The same of a wall, which is exact across: each edge of its loop.
-std::vector<double> wall_integration_error(const SmoothBrep& brep, const PlanCells::Wall& wall,
-                                           const Point3& from);
 
 //! Between top and base of a body.
 double body_volume(const SmoothBrep& brep, const PlanCells::Body& body);

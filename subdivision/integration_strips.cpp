@@ -8,7 +8,7 @@
 #include <functional>
 #include <utility>
 
-#include "subdivision/cell_integrals.h"
+#include "subdivision/cad_integration.h"
 #include "subdivision/strip_cells.h"
 
 namespace stratareeb {

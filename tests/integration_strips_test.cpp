@@ -16,6 +16,7 @@
 
 #include "io/cad_body.h"
 #include "io/smooth_shapes.h"
+#include "subdivision/cad_integration.h"
 #include "subdivision/cell_integrals.h"
 #include "tests/grid_model.h"
 
