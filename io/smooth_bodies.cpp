@@ -32,6 +32,7 @@ constexpr std::size_t kManyBodies = 40;  // that are fitted twice, to come to an
 constexpr double kEndGap = 1e-6;         // of the size
 constexpr std::size_t kManyFaces = 60;   // of a body
 constexpr double kMostCorrected = 0.3;   // of a body's volume, a time
+constexpr double kLeastResponse = 0.25;  // of a volume to its correction
 
 class Maker {
  public:
@@ -113,6 +114,7 @@ class Maker {
             if (!(have_few_faces() && are_only_volumes_wrong() && try_again(false))) break;
         fit_.sheets.end_gap = 0;
         fit_.sheets.volume_factors.clear();  // they allow for the slits of these sheets
+        corrected_ = {};
         return count_faults() == 0 && have_few_faces();
     }
 
@@ -138,6 +140,7 @@ class Maker {
         const auto factors_before = factors;
         if (with_more) fit_.sheets.most_functions *= 2;
         const auto before = count_faults(), others_before = count_other_faults();
+        const auto corrected_before = corrected_;
         auto kept = std::make_tuple(brep_, shapes_, is_valid_, is_volume_wrong_, faults_, volumes_);
         correct_volumes();
         fit();
@@ -148,16 +151,26 @@ class Maker {
         if (count_faults() < before) return true;
         std::tie(brep_, shapes_, is_valid_, is_volume_wrong_, faults_, volumes_) = std::move(kept);
         factors = factors_before;
+        corrected_ = corrected_before;
         return false;
     }
 
+    // By what is missing; where the last correction changed a volume by less than it should have, by as much more.
     void correct_volumes() {
         auto& factors = fit_.sheets.volume_factors;
         factors.resize(shapes_.size(), 1);
-        for (std::size_t b = 0; b < shapes_.size(); ++b)
-            if (volumes_[b] > 0)
-                factors[b] *= std::clamp(brep_.quality[b].mesh_volume / volumes_[b], 1 - kMostCorrected,
-                                         1 + kMostCorrected);
+        const auto before = std::exchange(corrected_, {factors, volumes_});
+        for (std::size_t b = 0; b < shapes_.size(); ++b) {
+            if (!(volumes_[b] > 0)) continue;
+            double response = 1;
+            if (before.volumes.size() == volumes_.size() && before.volumes[b] > 0 &&
+                before.factors[b] != factors[b])
+                response =
+                    std::log(volumes_[b] / before.volumes[b]) / std::log(factors[b] / before.factors[b]);
+            const double missing = std::pow(brep_.quality[b].mesh_volume / volumes_[b],
+                                            1 / std::clamp(response, kLeastResponse, 1.0));
+            factors[b] *= std::clamp(missing, 1 - kMostCorrected, 1 + kMostCorrected);
+        }
     }
 
     // Lines that were moved may touch where many meet closely: then they stay where the model has them, if that is better.
@@ -238,6 +251,9 @@ class Maker {
     std::vector<char> is_valid_, is_volume_wrong_;             // [body]
     std::vector<std::string> faults_;                          // [body]; empty = sound
     std::vector<double> volumes_;
+    struct {
+        std::vector<double> factors, volumes;  // [body]
+    } corrected_;                              // what the last correction began with
     double facets_off_ = 0;
 };
 
