@@ -28,11 +28,12 @@ constexpr double kFacetShare = 0.02;  // of the thinnest body's mean thickness: 
 constexpr int kRetries = 3;           // of the fit, while bodies have faults
 // Of all sheets together, so that a model of hundreds of bodies comes to an end; and of one sheet at least.
 constexpr std::size_t kAllFunctions = 300'000, kLeastFunctions = 1'000;
-constexpr std::size_t kManyBodies = 40;  // that are fitted twice, to come to an end
-constexpr double kEndGap = 1e-6;         // of the size
-constexpr std::size_t kManyFaces = 60;   // of a body
-constexpr double kMostCorrected = 0.3;   // of a body's volume, a time
-constexpr double kLeastResponse = 0.25;  // of a volume to its correction
+constexpr std::size_t kManyBodies = 40;                     // that are fitted twice, to come to an end
+constexpr double kEndGap = 1e-6;                            // of the size
+constexpr std::size_t kManyFaces = 60;                      // of a body
+constexpr double kMostCorrected = 0.3;                      // of a body's volume, a time
+constexpr double kLeastResponse = 0.25, kMostResponse = 2;  // of a volume to its correction
+constexpr double kProgress = 0.7;  // of what volumes are off: a fit that comes to less is worth keeping
 
 class Maker {
  public:
@@ -131,6 +132,14 @@ class Maker {
         return count_faults() - std::ranges::count(is_volume_wrong_, 1);
     }
 
+    // Bodies with wrong volumes, together, as shares of each.
+    double off_in_volume() const {
+        double sum = 0;
+        for (std::size_t b = 0; b < shapes_.size(); ++b)
+            if (is_volume_wrong_[b]) sum += std::abs(volumes_[b] / brep_.quality[b].mesh_volume - 1);
+        return sum;
+    }
+
     bool are_only_volumes_wrong() const { return count_other_faults() == 0; }
 
     // Fits again for volumes as the lines that were moved left them, and with more functions.
@@ -140,6 +149,7 @@ class Maker {
         const auto factors_before = factors;
         if (with_more) fit_.sheets.most_functions *= 2;
         const auto before = count_faults(), others_before = count_other_faults();
+        const double off_before = off_in_volume();
         const auto corrected_before = corrected_;
         auto kept = std::make_tuple(brep_, shapes_, is_valid_, is_volume_wrong_, faults_, volumes_);
         correct_volumes();
@@ -148,14 +158,16 @@ class Maker {
             correct_volumes();
             fit();
         }
-        if (count_faults() < before) return true;
+        if (count_faults() < before || (count_faults() == before && count_other_faults() <= others_before &&
+                                        off_in_volume() < kProgress * off_before))
+            return true;
         std::tie(brep_, shapes_, is_valid_, is_volume_wrong_, faults_, volumes_) = std::move(kept);
         factors = factors_before;
         corrected_ = corrected_before;
         return false;
     }
 
-    // By what is missing; where the last correction changed a volume by less than it should have, by as much more.
+    // By what is missing, as volumes answered to the last correction.
     void correct_volumes() {
         auto& factors = fit_.sheets.volume_factors;
         factors.resize(shapes_.size(), 1);
@@ -168,7 +180,7 @@ class Maker {
                 response =
                     std::log(volumes_[b] / before.volumes[b]) / std::log(factors[b] / before.factors[b]);
             const double missing = std::pow(brep_.quality[b].mesh_volume / volumes_[b],
-                                            1 / std::clamp(response, kLeastResponse, 1.0));
+                                            1 / std::clamp(response, kLeastResponse, kMostResponse));
             factors[b] *= std::clamp(missing, 1 - kMostCorrected, 1 + kMostCorrected);
         }
     }
