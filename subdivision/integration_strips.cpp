@@ -26,10 +26,12 @@ class Strips {
 
     void cut() {
         const std::size_t most = kMostCells * brep_.cells.cells.size() + 100;
+        std::vector<char> bodies(brep_.cells.bodies.size(), 1);
         int halvings = 0;
         while (halvings < kMostHalvings && brep_.cells.cells.size() < most) {
-            measure();
+            measure(bodies);
             const Harmful which = harmful();
+            bodies = bodies_at(which);
             if (!which.edges.empty())
                 shorten(which.edges);
             else
@@ -69,20 +71,26 @@ class Strips {
         return {sum.x / count, sum.y / count, sum.z / count};
     }
 
-    void measure() {
-        middle_.clear();
-        for (const auto& body : brep_.cells.bodies) middle_.push_back(middle_of(body));
+    void measure(const std::vector<char>& bodies) {
         as_base_.resize(brep_.cells.cells.size());
         as_top_.resize(as_base_.size());
-        tbb::parallel_for(
-            std::uint32_t{0}, static_cast<std::uint32_t>(as_base_.size()), [&](std::uint32_t c) {
-                const auto& cell = brep_.cells.cells[c];
-                const auto error = [&](std::uint32_t body) {
-                    return body == kNone ? IntegrationError{} : integration_error(brep_, c, middle_[body]);
-                };
-                as_base_[c] = error(cell.body_above);
-                as_top_[c] = error(cell.body_below);
-            });
+        at_walls_.resize(bodies.size());
+        tbb::parallel_for(std::size_t{0}, bodies.size(), [&](std::size_t b) {
+            if (!bodies[b]) return;
+            const auto& body = brep_.cells.bodies[b];
+            const Point3 middle = middle_of(body);
+            const auto errors = [&](const std::vector<std::uint32_t>& cells,
+                                    std::vector<IntegrationError>& result) {
+                tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t i) {
+                    result[cells[i]] = integration_error(brep_, cells[i], middle);
+                });
+            };
+            errors(body.top, as_top_);
+            errors(body.base, as_base_);
+            at_walls_[b].clear();
+            for (const auto& wall : body.walls)
+                at_walls_[b].push_back(wall_integration_error(brep_, wall, middle));
+        });
     }
 
     //! What is to be halved.
@@ -108,13 +116,12 @@ class Strips {
             };
             for (const auto c : body.top) add(as_top_[c], c, 1);
             for (const auto c : body.base) add(as_base_[c], c, -1);
-            for (const auto& wall : body.walls) {
-                const auto along = wall_integration_error(brep_, wall, middle_[b]);
-                for (std::size_t k = 0; k < along.size(); ++k) {
-                    all += along[k];
-                    edges.emplace_back(std::abs(along[k]), wall.loop[k].edge);
+            for (std::size_t w = 0; w < body.walls.size(); ++w)
+                for (std::size_t k = 0; k < body.walls[w].loop.size(); ++k) {
+                    const double off = at_walls_[b][w][k];
+                    all += off;
+                    edges.emplace_back(std::abs(off), body.walls[w].loop[k].edge);
                 }
-            }
             if (std::abs(all) <= most) continue;
             const auto worst_edges = worst(std::move(edges), kEdgeRest * most);
             which.edges.insert(which.edges.end(), worst_edges.begin(), worst_edges.end());
@@ -122,6 +129,23 @@ class Strips {
                 for (const auto c : worst(std::move(cells), kRest * most)) which.cells[c] = 1;
         }
         return which;
+    }
+
+    // Those that get another shape: also where edges are cut that they share with a face that is.
+    std::vector<char> bodies_at(const Harmful& which) const {
+        std::vector<char> result(brep_.cells.bodies.size(), 0);
+        const auto note = [&](std::uint32_t edge) {
+            for (const auto c : brep_.cells.edges[edge].cells)
+                for (const auto body : {brep_.cells.cells[c].body_above, brep_.cells.cells[c].body_below})
+                    if (body != kNone) result[body] = 1;
+        };
+        for (const auto e : which.edges) note(e);
+        for (std::size_t c = 0; c < which.cells.size(); ++c) {
+            if (!which.cells[c]) continue;
+            for (const auto& loop : brep_.cells.cells[c].loops)
+                for (const auto& use : loop) note(use.edge);
+        }
+        return result;
     }
 
     using Sources = std::vector<std::pair<double, std::uint32_t>>;  // an error and where it comes from
@@ -151,8 +175,8 @@ class Strips {
 
     SmoothBrep& brep_;
     double share_;
-    std::vector<Point3> middle_;                      // [body]
     std::vector<IntegrationError> as_base_, as_top_;  // [cell] of the body above, and of the one below
+    std::vector<std::vector<std::vector<double>>> at_walls_;  // [body][wall][edge of its loop]
 };
 
 }  // namespace

@@ -33,6 +33,8 @@ constexpr int kUncrossRounds = 5;      // of taking moves of lines back
 constexpr double kEdgeSpan = 1.5;      // of the patches' spans around it
 constexpr int kSamplesASpan = 10;      // of an edge, for its tolerance
 constexpr std::size_t kMostEdgeSpans = 1500;
+// Programs measure volumes from the mean of a body's corners: among slits, these had better be all around.
+constexpr std::size_t kShortEdge = 12;
 
 class Builder {
  public:
@@ -127,7 +129,9 @@ class Builder {
 
     void draw_edges() {
         const double tolerance = edge_tolerance();
-        brep_.edges.resize(brep_.cells.edges.size());
+        SmoothBrep::Edge none;
+        if (only_meet()) none.cad_spans = kShortEdge;
+        brep_.edges.resize(brep_.cells.edges.size(), none);
         tbb::parallel_for(std::size_t{0}, brep_.edges.size(), [&](std::size_t e) {
             if (brep_.cells.edges[e].line != kNone) draw_edge(e, tolerance);
         });
