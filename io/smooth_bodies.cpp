@@ -136,8 +136,13 @@ class Maker {
     double off_in_volume() const {
         double sum = 0;
         for (std::size_t b = 0; b < shapes_.size(); ++b)
-            if (is_volume_wrong_[b]) sum += std::abs(volumes_[b] / brep_.quality[b].mesh_volume - 1);
+            if (is_volume_wrong_[b]) sum += off_in_volume(b);
         return sum;
+    }
+
+    double off_in_volume(std::size_t b) const {
+        const double mesh_volume = brep_.quality[b].mesh_volume;
+        return std::abs(volumes_[b] - mesh_volume) / mesh_volume;
     }
 
     bool are_only_volumes_wrong() const { return count_other_faults() == 0; }
@@ -150,8 +155,8 @@ class Maker {
         if (with_more) fit_.sheets.most_functions *= 2;
         const auto before = count_faults(), others_before = count_other_faults();
         const double off_before = off_in_volume();
-        const auto corrected_before = corrected_;
-        auto kept = std::make_tuple(brep_, shapes_, is_valid_, is_volume_wrong_, faults_, volumes_);
+        auto kept =
+            std::make_tuple(brep_, shapes_, is_valid_, is_volume_wrong_, faults_, volumes_, corrected_);
         correct_volumes();
         fit();
         if (count_faults() >= before && count_other_faults() < others_before) {
@@ -161,9 +166,9 @@ class Maker {
         if (count_faults() < before || (count_faults() == before && count_other_faults() <= others_before &&
                                         off_in_volume() < kProgress * off_before))
             return true;
-        std::tie(brep_, shapes_, is_valid_, is_volume_wrong_, faults_, volumes_) = std::move(kept);
+        std::tie(brep_, shapes_, is_valid_, is_volume_wrong_, faults_, volumes_, corrected_) =
+            std::move(kept);
         factors = factors_before;
-        corrected_ = corrected_before;
         return false;
     }
 
@@ -221,7 +226,7 @@ class Maker {
             faults_[b] = fmt::format("OpenCASCADE can't check its smooth faces ({})", e.GetMessageString());
         }
         if (!faults_[b].empty()) return;
-        const double off = std::abs(volumes_[b] - quality.mesh_volume) / quality.mesh_volume;
+        const double off = off_in_volume(b);
         if (off <= options_.volume_tolerance) return;
         faults_[b] = fmt::format("smooth faces would change its volume by {:.2g} %", 100 * off);
         is_volume_wrong_[b] = 1;

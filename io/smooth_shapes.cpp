@@ -18,6 +18,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "subdivision/face_spans.h"
+
 namespace stratareeb {
 namespace {
 
@@ -224,23 +226,12 @@ class ShapeBuilder {
 
     // The sheet's spans that the cell reaches into.
     Handle(Geom_Surface) cell_surface(std::uint32_t c) const {
-        double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
-        for (const auto& loop : brep_.cells.cells[c].loops)
-            for (const auto& use : loop)
-                for (std::size_t k = 0; k < 2; ++k) {
-                    const auto [l, h] = std::ranges::minmax(brep_.edges[use.edge].curve.coefficients[k]);
-                    low[k] = std::min(low[k], l), high[k] = std::max(high[k], h);
-                }
         const HeightPatch& sheet = brep_.sheet(c);
+        const FaceSpans spans = face_spans(brep_, c);
         const auto surface = Handle(Geom_BSplineSurface)::DownCast(patch_surface(sheet));
-        const auto [u0, u1] = around(sheet.x, low[0], high[0]);
-        const auto [v0, v1] = around(sheet.y, low[1], high[1]);
-        surface->Segment(u0, u1, v0, v1);
+        surface->Segment(sheet.x.breaks()[spans.first_x], sheet.x.breaks()[spans.end_x],
+                         sheet.y.breaks()[spans.first_y], sheet.y.breaks()[spans.end_y]);
         return Handle(Geom_Surface)(surface);
-    }
-
-    static std::pair<double, double> around(const CubicKnots& knots, double low, double high) {
-        return {knots.breaks()[knots.span(low)], knots.breaks()[knots.span(high) + 1]};
     }
 
     TopoDS_Face cell_face(std::uint32_t c) {

@@ -4,11 +4,12 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <numeric>
 #include <vector>
 
+#include "subdivision/edge_distance.h"
+#include "subdivision/face_spans.h"
 #include "subdivision/strip_cells.h"
 
 namespace stratareeb {
@@ -18,7 +19,6 @@ constexpr std::uint32_t kNone = PlanCells::kNone;
 constexpr double kMostWork = 3e4;       // spans to look through, for all edges of a face
 constexpr int kMostHalvings = 2;        // of a face
 constexpr std::size_t kMostFaces = 50;  // of a body with such a face
-constexpr int kSamplesASpan = 10;
 
 class Strips {
  public:
@@ -58,34 +58,22 @@ class Strips {
     }
 
     double work(std::uint32_t c) const {
-        double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY}, far = 0;
+        std::size_t far = 0;
         for (const auto& loop : brep_.cells.cells[c].loops)
             for (const auto& use : loop) {
                 const auto& edge = brep_.edges[use.edge];
-                for (std::size_t k = 0; k < 2; ++k) {
-                    const auto [l, h] = std::ranges::minmax(edge.curve.coefficients[k]);
-                    low[k] = std::min(low[k], l), high[k] = std::max(high[k], h);
-                }
                 const auto ends = cad_edge_ends(edge);
                 for (std::size_t k = 0; k + 1 < ends.size(); ++k)
                     far += is_far(brep_.sheet(c), edge.curve, ends[k], ends[k + 1]);
             }
-        const HeightPatch& sheet = brep_.sheet(c);
-        const auto spans = [](const CubicKnots& knots, double from, double to) {
-            return static_cast<double>(knots.span(to) - knots.span(from) + 1);
-        };
-        return far * spans(sheet.x, low[0], high[0]) * spans(sheet.y, low[1], high[1]);
+        const FaceSpans spans = face_spans(brep_, c);
+        return static_cast<double>(far * (spans.end_x - spans.first_x) * (spans.end_y - spans.first_y));
     }
 
     bool is_far(const HeightPatch& sheet, const SplineCurve& curve, std::size_t first,
                 std::size_t last) const {
-        const auto& breaks = curve.knots.breaks();
         for (std::size_t s = first; s < last; ++s)
-            for (int k = 0; k <= kSamplesASpan; ++k) {
-                const double t = std::lerp(breaks[s], breaks[s + 1], k / double(kSamplesASpan));
-                if (std::abs(curve.at(2, t) - sheet.z({curve.at(0, t), curve.at(1, t)})) > close_)
-                    return true;
-            }
+            if (distance_within_span(curve, s, sheet) > close_) return true;
         return false;
     }
 

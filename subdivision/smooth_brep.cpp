@@ -13,6 +13,7 @@
 #include "subdivision/body_ends.h"
 #include "subdivision/cell_integrals.h"
 #include "subdivision/crossed_lines.h"
+#include "subdivision/edge_distance.h"
 #include "subdivision/followed_lines.h"
 #include "subdivision/open_ends.h"
 #include "subdivision/sheet_gaps.h"
@@ -31,7 +32,6 @@ constexpr double kLeastGap = 1e-6;     // of the size: between edges of a wall
 constexpr int kOrderRounds = 4;        // of halving spans of edges of a wall that are not in order
 constexpr int kUncrossRounds = 5;      // of taking moves of lines back
 constexpr double kEdgeSpan = 1.5;      // of the patches' spans around it
-constexpr int kSamplesASpan = 10;      // of an edge, for its tolerance
 constexpr std::size_t kMostEdgeSpans = 1500;
 // Programs measure volumes from the mean of a body's corners: among slits, these had better be all around.
 constexpr std::size_t kShortEdge = 12;
@@ -67,14 +67,14 @@ class Builder {
     const std::vector<PlanCells::Cell>& cells() const { return brep_.cells.cells; }
     const std::vector<PlanCells::Body>& bodies() const { return brep_.cells.bodies; }
 
-    double edge_tolerance() const {
+    double edge_tolerance(bool only_meet) const {
         const double tolerance = kEdgeTolerance * brep_.size, unit = metres_per(model_.length_unit);
         const bool too_large = brep_.size * unit > kMostCloseSize;
-        return too_large || only_meet() ? tolerance : std::min(tolerance, kCloseEdge / unit);
+        return too_large || only_meet ? tolerance : std::min(tolerance, kCloseEdge / unit);
     }
 
     // Where bodies end without a gap, sheets are further than that from each other anyway.
-    bool only_meet() const {
+    bool do_sheets_only_meet() const {
         return !has_gaps(brep_.horizons) &&
                std::ranges::any_of(body_ends(brep_.cells, brep_.horizons.of_cell),
                                    [](const auto& ends) { return !ends.empty(); });
@@ -128,10 +128,11 @@ class Builder {
     double area(std::uint32_t face) const { return plan_.calc_face_area(plan_.face_handle(face)); }
 
     void draw_edges() {
-        const double tolerance = edge_tolerance();
-        SmoothBrep::Edge none;
-        if (only_meet()) none.cad_spans = kShortEdge;
-        brep_.edges.resize(brep_.cells.edges.size(), none);
+        const bool only_meet = do_sheets_only_meet();
+        const double tolerance = edge_tolerance(only_meet);
+        SmoothBrep::Edge undrawn;
+        if (only_meet) undrawn.cad_spans = kShortEdge;
+        brep_.edges.resize(brep_.cells.edges.size(), undrawn);
         tbb::parallel_for(std::size_t{0}, brep_.edges.size(), [&](std::size_t e) {
             if (brep_.cells.edges[e].line != kNone) draw_edge(e, tolerance);
         });
@@ -328,16 +329,11 @@ class Builder {
 
 void measure_edge(SmoothBrep& brep, std::size_t e) {
     auto& edge = brep.edges[e];
-    const auto& breaks = edge.curve.knots.breaks();
-    edge.tolerances.assign(breaks.size() - 1, 0);
-    for (std::size_t s = 0; s + 1 < breaks.size(); ++s)
-        for (int k = 0; k <= kSamplesASpan; ++k) {
-            const double t = std::lerp(breaks[s], breaks[s + 1], k / double(kSamplesASpan));
-            const Point2 at{edge.curve.at(0, t), edge.curve.at(1, t)};
-            for (const auto c : brep.cells.edges[e].cells)
-                edge.tolerances[s] =
-                    std::max(edge.tolerances[s], std::abs(edge.curve.at(2, t) - brep.sheet(c).z(at)));
-        }
+    edge.tolerances.assign(edge.curve.knots.spans(), 0);
+    for (std::size_t s = 0; s < edge.tolerances.size(); ++s)
+        for (const auto c : brep.cells.edges[e].cells)
+            edge.tolerances[s] =
+                std::max(edge.tolerances[s], distance_within_span(edge.curve, s, brep.sheet(c)));
 }
 
 }  // namespace
