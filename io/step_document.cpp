@@ -29,11 +29,13 @@
 #include <XSControl_WorkSession.hxx>
 #include <map>
 #include <mutex>
+#include <sstream>
 
 #include <fmt/format.h>
 
 #include "boreholes/errors.h"
 #include "boreholes/length_unit.h"
+#include "io/step_sharing.h"
 #include "io/write_aside.h"
 
 namespace stratareeb {
@@ -146,7 +148,9 @@ void print(const Handle(XSControl_WorkSession) & session, const Handle(StepData_
     StepData_StepWriter text(model);
     text.FloatWriter().SetFormat("%.16E");
     text.SendModel(Handle(StepData_Protocol)::DownCast(session->Protocol()));
-    text.Print(stream);
+    std::ostringstream whole;
+    text.Print(whole);
+    stream << share_step_geometry(whole.view());
 }
 
 const char* occt_unit(const std::string& length_unit) {
