@@ -46,6 +46,8 @@ namespace {
 
 // Shares of the whole run at which its parts end, for the time left.
 constexpr double kReadEnd = 0.05, kModelEnd = 0.35, kRefineEnd = 0.5, kSolidsEnd = 0.9;
+// Where smooth CAD solids are made too, which takes most of the time: the share of all before them, and with them.
+constexpr double kBeforeSmooth = 0.15, kSmoothEnd = 0.95;
 
 class Build {
  public:
@@ -56,7 +58,7 @@ class Build {
     void run() {
         if (!arguments_.deliver.empty())
             StagedFolder(arguments_.deliver, arguments_.overwrite);  // may it be written?
-        progress_.step("reading boreholes", 0);
+        say("reading boreholes", 0);
         const BoreholeTable table = read_table();
         choose_interpolator_for(table.survey);
         const int levels = levels_for(table.survey.holes.size());
@@ -74,6 +76,7 @@ class Build {
     void build(const BoreholeTable& table, int levels) {
         StagedFolder folder(arguments_.output, arguments_.overwrite);
         unrefined_.reset();
+        is_smooth_made_ = false;
         ModelRecord record{
             .units = {}, .checks = {}, .warnings = {}, .options = arguments_.record(), .files = {}};
         record.choice = choice_;
@@ -86,7 +89,7 @@ class Build {
         const std::vector<LayerSolid> solids = write_layers(folder, model, table.survey, record);
         write_whole_model(folder, model, solids, record);
         write_model_holes(folder.add(kModelHolesFile), table.survey, model.plan.hole_vertex);
-        progress_.step("checking", kSolidsEnd);
+        say("checking", kSolidsEnd);
         record.checks = check_model(model, table.survey, record.units);
         fail_if_unsound(record);
         const std::string json = write_record(folder, model, table.survey, record);
@@ -126,17 +129,16 @@ class Build {
             interpolator_ = interpolator_kind(arguments_.interpolator);
             return;
         }
-        progress_.step("choosing the interpolator", 0);
+        say("choosing the interpolator", 0);
         const FaultBlocks blocks = blocks_between_faults(survey);
-        ChooseOptions options{.pinch_out = pinch_out_rule(arguments_.pinch_out),
-                              .terrain = terrain(),
-                              .rules = arguments_.rules.of(survey.units),
-                              .block = blocks.block_of,
-                              .ties = blocks.ties,
-                              .bare = arguments_.spacing == "none",
-                              .progress = [this](double share) {
-                                  progress_.step("choosing the interpolator", share * kReadEnd);
-                              }};
+        ChooseOptions options{
+            .pinch_out = pinch_out_rule(arguments_.pinch_out),
+            .terrain = terrain(),
+            .rules = arguments_.rules.of(survey.units),
+            .block = blocks.block_of,
+            .ties = blocks.ties,
+            .bare = arguments_.spacing == "none",
+            .progress = [this](double share) { say("choosing the interpolator", share * kReadEnd); }};
         choice_ = choose_interpolator(survey, options);
         interpolator_ = choice_->kind;
         notes_.push_back(choice_->reason);
@@ -156,7 +158,7 @@ class Build {
         if (arguments_.refine != "auto") return arguments_.refine[0] - '0';
         if (arguments_.spacing == "none") return 0;
         const bool facets = arguments_.step == StepKind::Faceted;
-        if (facets && (arguments_.wants("step") || arguments_.wants("brep"))) {
+        if (facets && makes_cad()) {
             notes_.push_back(
                 "the surfaces are left as predicted, since CAD programs open so many facets slowly; "
                 "--refine 1 or --step smooth makes them smooth");
@@ -192,7 +194,7 @@ class Build {
         if (arguments_.faults.empty()) unrefined_ = model;
         RefineLayersOptions options{.levels = levels};
         options.progress = [this](const char* step, double share) {
-            progress_.step(step, kModelEnd + share * (kRefineEnd - kModelEnd));
+            say(step, kModelEnd + share * (kRefineEnd - kModelEnd));
         };
         RefinedLayers refined = refine_layers(model, options);
         model = std::move(refined.model);
@@ -229,7 +231,7 @@ class Build {
     //! A block between faults has its share of the triangles asked for.
     void decimate(LayerModel& model, double share) {
         if (arguments_.decimate < 0 && arguments_.decimate_to == 0) return;
-        progress_.step("leaving out triangles", kRefineEnd);
+        say("leaving out triangles", kRefineEnd);
         DecimateLayersOptions options;
         if (arguments_.decimate >= 0) options.max_error = arguments_.decimate;
         if (arguments_.decimate_to > 0)
@@ -255,7 +257,7 @@ class Build {
         options.footprint = footprint(survey);
         options.terrain = terrain();
         options.progress = [this](const char* step, double share) {
-            progress_.step(step, kReadEnd + share * (kModelEnd - kReadEnd));
+            say(step, kReadEnd + share * (kModelEnd - kReadEnd));
         };
         options.before_meshing = [this, &survey, levels](double triangles) {
             const double refined = triangles * std::pow(4.0, levels);
@@ -300,7 +302,7 @@ class Build {
 
     void write_horizons(StagedFolder& folder, const LayerModel& model, const std::string& where) {
         for (std::size_t k = 0; k < model.horizons.size(); ++k) {
-            progress_.step("writing horizons", kRefineEnd);
+            say("writing horizons", kRefineEnd);
             const TriMesh surface = horizon_surface(model, k, arguments_.normals);
             const Unit& unit = model.units[k == 0 ? 0 : k - 1];
             write_mesh(folder.add(where + numbered_name(k, k == 0 ? "ground" : unit.name) + ".ply"),
@@ -313,9 +315,8 @@ class Build {
                                          ModelRecord& record) {
         std::vector<LayerSolid> kept;
         for (std::size_t i = 0; i < model.units.size(); ++i) {
-            progress_.step("building solids", kRefineEnd + (kSolidsEnd - kRefineEnd) *
-                                                               static_cast<double>(i) /
-                                                               static_cast<double>(model.units.size()));
+            say("building solids", kRefineEnd + (kSolidsEnd - kRefineEnd) * static_cast<double>(i) /
+                                                    static_cast<double>(model.units.size()));
             std::vector<LayerSolid> solids = build_block_solids(model, i, arguments_.normals);
             record.units.push_back(summarize_unit(model, i, solids, survey));
             record.solids.emplace_back();
@@ -339,20 +340,28 @@ class Build {
         return solid.block == 0 ? name : fmt::format("{}_block_{}", name, solid.block);
     }
 
+    bool makes_cad() const { return arguments_.wants("step") || arguments_.wants("brep"); }
+
+    bool makes_smooth_cad() const { return makes_cad() && arguments_.step == StepKind::Smooth; }
+
     bool keeps_solids() const {
         return arguments_.wants("obj") || arguments_.wants("glb") || arguments_.wants("3mf") ||
-               arguments_.wants("step") || arguments_.wants("brep") || arguments_.wants("png") ||
-               arguments_.wants("mlp");
+               arguments_.wants("png") || arguments_.wants("mlp") || makes_cad();
     }
 
     //! STEP and BREP; which bodies had to have facets goes to the warnings.
     void write_cad(StagedFolder& folder, const LayerModel& model, const std::vector<LayerSolid>& solids,
                    ModelRecord& record) {
-        if (!arguments_.wants("step") && !arguments_.wants("brep")) return;
-        progress_.step("making CAD solids", kSolidsEnd);
+        if (!makes_cad()) return;
+        say("making CAD solids", kSolidsEnd);
         std::vector<CadBody> bodies;
-        if (arguments_.step == StepKind::Smooth) {
-            SmoothBodies smooth = smooth_bodies(model);
+        if (makes_smooth_cad()) {
+            SmoothBodiesOptions options;
+            options.progress = [this](const char* step, double share) {
+                progress_.step(step, std::lerp(kBeforeSmooth, kSmoothEnd, share));
+            };
+            SmoothBodies smooth = smooth_bodies(model, options);
+            is_smooth_made_ = true;
             bodies = std::move(smooth.bodies);
             record.cad = std::move(smooth.reports);
             record.warnings.insert(record.warnings.end(), smooth.notes.begin(), smooth.notes.end());
@@ -360,12 +369,12 @@ class Build {
             for (const LayerSolid& solid : solids)
                 for (CadBody& body : faceted_bodies(solid)) bodies.push_back(std::move(body));
         }
-        progress_.step("writing CAD solids", kSolidsEnd);
+        say("writing CAD solids", kSolidsEnd);
         if (arguments_.wants("step"))
             write_step_document(folder.add("model.step"), bodies,
                                 {.length_unit = model.length_unit,
                                  .origin = model.origin,
-                                 .has_parameter_curves = arguments_.step == StepKind::Smooth});
+                                 .has_parameter_curves = makes_smooth_cad()});
         if (arguments_.wants("brep")) write_brep(folder.add("model.brep"), bodies);
     }
 
@@ -375,14 +384,14 @@ class Build {
         for (const auto& solid : solids) parts.push_back({solid.unit.name, solid.unit.color, &solid.surface});
         for (const std::string format : {"obj", "glb", "3mf"}) {
             if (!arguments_.wants(format)) continue;
-            progress_.step("writing " + format, kSolidsEnd);
+            say("writing " + format, kSolidsEnd);
             write_meshes(folder.add("model." + format), parts);
             if (format == "obj") folder.add("model.mtl");
         }
         if (arguments_.wants("mlp")) write_meshlab_project(folder.add("model.mlp"), layer_files(solids));
         write_cad(folder, model, solids, record);
         if (arguments_.wants("png")) {
-            progress_.step("drawing", kSolidsEnd);
+            say("drawing", kSolidsEnd);
             PictureOptions options;
             options.length_unit = model.length_unit;
             options.holes = picture_holes(model);
@@ -417,7 +426,7 @@ class Build {
         std::string json = model_json(model, survey, record);
         write_aside(path, [&](std::ostream& stream) { stream << json; });
         if (!page.empty()) {
-            progress_.step("writing the 3D page", kSolidsEnd);
+            say("writing the 3D page", kSolidsEnd);
             write_viewer(path.parent_path(), page, {.title = title(), .report = "report.html"});
         }
         return json;
@@ -434,6 +443,15 @@ class Build {
         choices.title = title();
         write_report_page(arguments_.output, std::filesystem::path(arguments_.output) / "report.html",
                           choices, progress_);
+    }
+
+    // \param share of what is done without smooth CAD solids
+    void say(std::string_view what, double share) {
+        if (is_smooth_made_)
+            share = kSmoothEnd;
+        else if (makes_smooth_cad())
+            share *= kBeforeSmooth / kSolidsEnd;
+        progress_.step(what, share);
     }
 
     static void fail_if_unsound(const ModelRecord& record) {
@@ -471,6 +489,7 @@ class Build {
 
     const BuildArguments& arguments_;
     Progress progress_;
+    bool is_smooth_made_ = false;
     std::optional<LayerModel> unrefined_;  // what refinement began with, without faults
     std::optional<Raster> terrain_;
     InterpolatorKind interpolator_ = kDefaultInterpolator;

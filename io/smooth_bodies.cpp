@@ -25,6 +25,7 @@ constexpr double kIntegrationShare =
     0.4;                              // of the volume that a body may be off, for how CAD programs integrate
 constexpr double kCloseEdge = 1e-3;   // metres from a face: CAD programs open such edges quickly
 constexpr double kFacetShare = 0.02;  // of the thinnest body's mean thickness: what facets may be off
+constexpr double kFitShare = 0.7;     // of the time of an attempt, the rest being lines and checks
 constexpr int kRetries = 3;           // of the fit, while bodies have faults
 // Of all sheets together, so that a model of hundreds of bodies comes to an end; and of one sheet at least.
 constexpr std::size_t kAllFunctions = 300'000, kLeastFunctions = 1'000;
@@ -38,7 +39,9 @@ constexpr double kProgress = 0.7;  // of what volumes are off: a fit that comes 
 class Maker {
  public:
     Maker(const LayerModel& model, const SmoothBodiesOptions& options)
-        : model_(model), options_(options), fit_(options.fit) {}
+        : model_(model), options_(options), fit_(options.fit) {
+        fit_.sheets.progress = [this](double share) { report("fitting smooth faces", kFitShare * share); };
+    }
 
     SmoothBodies make() {
         const std::size_t bodies = build_plan_cells(model_, fit_.cells).bodies.size();
@@ -92,9 +95,20 @@ class Maker {
         return std::ranges::max(model_.horizons.front()) - std::ranges::min(model_.horizons.back());
     }
 
+    // How often all is fitted is not known before: each time counts as half of what is left to do.
+    void report(const char* step, double share_of_attempt) const {
+        if (!options_.progress) return;
+        const double left = std::pow(0.5, attempts_ - 1);
+        const std::string name = attempts_ > 1 ? fmt::format("{}, attempt {}", step, attempts_) : step;
+        options_.progress(name.c_str(), 1 - left * (1 - share_of_attempt / 2));
+    }
+
     void fit() {
+        ++attempts_;
+        report("fitting smooth faces", 0);
         brep_ = build_smooth_brep(model_, fit_);
         most_off_ = std::min(options_.most_off * brep_.size, options_.most_of_relief * relief());
+        report("checking smooth faces", kFitShare);
         cut_and_examine();
         hold_lines();
     }
@@ -251,6 +265,7 @@ class Maker {
             least_mean = std::min(least_mean, brep_.horizons.mean_thickness[b]);
         }
         if (faulty.empty()) return;
+        if (options_.progress) options_.progress("making facets", 1);
         const auto made =
             coarse_facets(model_, brep_.cells, faulty,
                           {.max_error = std::min(options_.facet_error * brep_.size, kFacetShare * least_mean),
@@ -272,6 +287,7 @@ class Maker {
         std::vector<double> factors, volumes;  // [body]
     } corrected_;                              // what the last correction began with
     double facets_off_ = 0;
+    int attempts_ = 0;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct SmoothBodiesOptions {
     double most_of_relief = 0.15;  // share of the range of the model's elevations that it may be off at most
     double facet_error = 1e-3;     // share of the size that facets may be off, where a body has some
     double worth_telling = 0.5;    // share of what a face may be off, from which on a note says so
+    std::function<void(const char* step, double share)> progress = {};  // 0..1, from one thread at a time
 };
 
 struct SmoothBodyReport {

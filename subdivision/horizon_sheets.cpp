@@ -9,6 +9,7 @@
 #include <functional>
 #include <iterator>
 #include <map>
+#include <mutex>
 
 #include "subdivision/body_ends.h"
 #include "subdivision/thickness_limits.h"
@@ -70,15 +71,26 @@ class Fitter {
         lay_first_knots();
         ends_ = body_ends(cells_, result_.of_cell);
         fit_ground();
+        report_sheet();
         for (std::uint32_t first = 0, last = 0; first < cells_.bodies.size(); first = last) {
             while (last < cells_.bodies.size() && cells_.bodies[last].layer == cells_.bodies[first].layer)
                 ++last;  // bodies of one layer don't depend on each other
-            tbb::parallel_for(first, last, [&](std::uint32_t b) { fit_base(b); });
+            tbb::parallel_for(first, last, [&](std::uint32_t b) {
+                fit_base(b);
+                report_sheet();
+            });
         }
         return std::move(result_);
     }
 
  private:
+    // Bodies of a layer come from several threads.
+    void report_sheet() {
+        if (!options_.progress) return;
+        const std::scoped_lock lock(reports_);
+        options_.progress(static_cast<double>(++fitted_) / static_cast<double>(result_.sheets.size()));
+    }
+
     using Corners = std::array<std::uint32_t, 3>;
 
     Corners corners(std::uint32_t face) const {
@@ -395,6 +407,8 @@ class Fitter {
     CubicKnots first_x_{{0, 1}}, first_y_{{0, 1}};
     std::vector<char> is_hole_;               // [vertex]
     std::vector<std::vector<BodyEnd>> ends_;  // [body]
+    std::mutex reports_;
+    std::size_t fitted_ = 0;  // sheets
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "mesh/layer_model.h"
@@ -21,6 +22,7 @@ struct HorizonSheetsOptions {
         5e-4;  // the same as a share of the mean thickness of the body: its volume counts it in
     std::size_t most_functions = 9'000;  // a sheet
     std::vector<double> volume_factors;  // [body] of the model's volume, that sheets are fitted to; empty = 1
+    std::function<void(double share)> progress = {};  // 0..1 of the sheets, from one thread at a time
 };
 
 //! The heights of a layer model as few smooth sheets: one for the ground, one for the base of each body. Where a body

@@ -18,11 +18,14 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Shape.hxx>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "boreholes/errors.h"
 #include "io/coarse_facets.h"
@@ -183,6 +186,31 @@ TEST(SmoothStep, what_cannot_be_smooth_has_facets_and_neighbours_stay) {
     EXPECT_NEAR(made.reports[0].volume, made.reports[0].mesh_volume, 1e-9 * made.reports[0].mesh_volume);
 }
 
+TEST(SmoothStep, progress_goes_forward_over_all_attempts) {
+    SmoothBodiesOptions options;
+    std::vector<std::string> steps;
+    std::vector<double> shares;
+    options.progress = [&](const char* step, double share) {
+        if (steps.empty() || steps.back() != step) steps.emplace_back(step);
+        shares.push_back(share);
+    };
+    const auto two_layers = grid_model({.thickness = {test::constant(2), test::constant(3)}});
+    smooth_bodies(two_layers, options);
+    EXPECT_EQ(steps, (std::vector<std::string>{"fitting smooth faces", "checking smooth faces"}));
+    EXPECT_GE(shares.size(), 3U);  // a sheet each at least
+    EXPECT_TRUE(std::ranges::is_sorted(shares));
+
+    options.most_off = -1;  // nothing is close enough
+    steps.clear();
+    shares.clear();
+    smooth_bodies(two_layers, options);
+    EXPECT_NE(std::ranges::find(steps, "fitting smooth faces, attempt 2"), steps.end());
+    EXPECT_EQ(steps.back(), "making facets");
+    EXPECT_TRUE(std::ranges::is_sorted(shares));
+    EXPECT_GE(shares.front(), 0);
+    EXPECT_EQ(shares.back(), 1);
+}
+
 TEST(SmoothStep, facets_are_few_and_keep_the_volume) {
     // A lens and what is around it, refused: their facets must fit each other.
     const auto model = grid_model(
@@ -290,6 +318,10 @@ TEST(SmoothStep, files_are_small_and_repeatable) {
     EXPECT_EQ(report.solids, 2u);
     EXPECT_EQ(report.faces, 12u);
     EXPECT_LT(std::filesystem::file_size(file), 20'000u * report.faces);
+    std::size_t surfaces = 0;
+    for (std::size_t at = 0; (at = before.find("B_SPLINE_SURFACE", at)) != std::string::npos; ++at)
+        ++surfaces;
+    EXPECT_EQ(surfaces, 3u);  // neighbours have the one between them in common
     std::filesystem::remove(file);
 }
 
