@@ -22,7 +22,9 @@ namespace stratareeb {
 namespace {
 
 constexpr double kIntegrationShare =
-    0.4;                              // of the volume that a body may be off, for how CAD programs integrate
+    0.4;  // of the volume that a body may be off, for how CAD programs integrate
+constexpr double kJoinedShare =
+    1e-4;  // of two bodies' volumes: how far that of the two as one may differ from their sum for the same reason
 constexpr double kCloseEdge = 1e-3;   // metres from a face: CAD programs open such edges quickly
 constexpr double kFacetShare = 0.02;  // of the thinnest body's mean thickness: what facets may be off
 constexpr double kFitShare = 0.7;     // of the time of an attempt, the rest being lines and checks
@@ -114,9 +116,11 @@ class Maker {
     }
 
     void cut_and_examine() {
-        cut_for_integration(brep_, kIntegrationShare * options_.volume_tolerance);
-        if (cut_for_projection(brep_, kCloseEdge / metres_per(model_.length_unit)))
-            cut_for_integration(brep_, kIntegrationShare * options_.volume_tolerance);
+        const auto cut = [&] {
+            cut_for_integration(brep_, kIntegrationShare * options_.volume_tolerance, kJoinedShare);
+        };
+        cut();
+        if (cut_for_projection(brep_, kCloseEdge / metres_per(model_.length_unit))) cut();
         examine_all();
     }
 

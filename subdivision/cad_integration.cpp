@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
-#include "mesh/compensated_sum.h"
 #include "subdivision/cell_integrals.h"
 #include "subdivision/gauss_rule.h"
 
@@ -17,11 +15,11 @@ constexpr std::size_t kFewSpans = 6;                       // of an edge, that t
 constexpr int kSamplesASpan = 15;
 
 // What a cone gets along a line of equal y from x1 to p, by a rule.
-double cone_along_x(const HeightPatch& sheet, const Point3& from, double x1, const Point2& p,
-                    const GaussRule& rule) {
+ConeIntegral cone_along_x(const HeightPatch& sheet, const Point3& from, double x1, const Point2& p,
+                          const GaussRule& rule) {
     const std::size_t ny = sheet.y.functions();
     const auto vy = sheet.y.values(p.y), dy = sheet.y.values(p.y, 1);
-    double sum = 0;
+    ConeIntegral sum;
     for (std::size_t k = 0; k < rule.places.size(); ++k) {
         const double x = std::lerp(x1, p.x, rule.places[k]);
         const auto vx = sheet.x.values(x), dx = sheet.x.values(x, 1);
@@ -32,14 +30,16 @@ double cone_along_x(const HeightPatch& sheet, const Point3& from, double x1, con
             for (std::size_t j = 0; j < 4; ++j) value += vy.value[j] * row[j], slope += dy.value[j] * row[j];
             z += vx.value[i] * value, along_x += dx.value[i] * value, along_y += vx.value[i] * slope;
         }
-        sum += rule.weights[k] * (z - from.z - (x - from.x) * along_x - (p.y - from.y) * along_y);
+        sum.add(
+            {(z - from.z - (x - from.x) * along_x - (p.y - from.y) * along_y) / 3, {-along_x, -along_y, 1}},
+            rule.weights[k] * (p.x - x1));
     }
-    return sum * (p.x - x1) / 3;
+    return sum;
 }
 
 //! What a program finds along an edge, and what there is.
 struct EdgeSums {
-    double found = 0, whole = 0;
+    ConeIntegral found, whole;
 };
 
 template <typename F>  // integrand(t, rule)
@@ -51,19 +51,19 @@ EdgeSums along_edge(const SmoothBrep::Edge& edge, std::size_t across, const F& i
         const std::size_t spans = ends[k + 1] - ends[k];
         const GaussRule& rule = gauss_rule(std::min(kMostPoints, kPointsASpan * std::max(across, spans)));
         const auto between = [&](std::size_t first, std::size_t last, const GaussRule& places) {
-            double sum = 0;
+            ConeIntegral sum;
             for (std::size_t i = 0; i < places.places.size(); ++i)
-                sum += places.weights[i] *
-                       integrand(std::lerp(breaks[first], breaks[last], places.places[i]), rule);
-            return sum * (breaks[last] - breaks[first]);
+                sum.add(integrand(std::lerp(breaks[first], breaks[last], places.places[i]), rule),
+                        places.weights[i] * (breaks[last] - breaks[first]));
+            return sum;
         };
-        const double found = between(ends[k], ends[k + 1], rule);
-        sums.found += found;
+        const ConeIntegral found = between(ends[k], ends[k + 1], rule);
+        sums.found.add(found);
         if (spans <= kFewSpans) {
-            sums.whole += found;
+            sums.whole.add(found);
             continue;
         }
-        for (std::size_t s = ends[k]; s < ends[k + 1]; ++s) sums.whole += between(s, s + 1, gauss_rule(5));
+        for (std::size_t s = ends[k]; s < ends[k + 1]; ++s) sums.whole.add(between(s, s + 1, gauss_rule(5)));
     }
     return sums;
 }
@@ -81,9 +81,17 @@ class SweptAlong {
 
     //! \param p on the side, at s along it
     double operator()(const Point2& p, double s) const {
-        if (side_.straight) return cross(side_.from, {p.x - side_.from.x, p.y - side_.from.y});
+        if (side_.straight) return cross(side_.from, run(p));
         const std::size_t span = side_.curve.knots.span(s);
         return before_[span] + within_span(side_.curve.knots.breaks()[span], s);
+    }
+
+    // From the side's beginning.
+    Point2 run(const Point2& p) const {
+        const Point2 start = side_.straight ? side_.from
+                                            : Point2{side_.curve.at(0, side_.curve.knots.low()),
+                                                     side_.curve.at(1, side_.curve.knots.low())};
+        return {p.x - start.x, p.y - start.y};
     }
 
  private:
@@ -131,8 +139,10 @@ PlanReach reach_of(const SmoothBrep& brep, std::uint32_t cell) {
 
 }  // namespace
 
-double IntegrationError::all() const {
-    return std::accumulate(along.begin(), along.end(), across);
+ConeIntegral IntegrationError::all() const {
+    ConeIntegral sum = across;
+    for (const auto& edge : along) sum.add(edge);
+    return sum;
 }
 
 IntegrationError integration_error(const SmoothBrep& brep, std::uint32_t cell, const Point3& from) {
@@ -140,36 +150,40 @@ IntegrationError integration_error(const SmoothBrep& brep, std::uint32_t cell, c
     const PlanReach reach = reach_of(brep, cell);
     const std::size_t across = sheet.y.span(reach.high_y) - sheet.y.span(reach.low_y) + 1;
     IntegrationError error;
-    CompensatedSum cone;
+    ConeIntegral found;
     for (const auto& loop : brep.cells.cells[cell].loops)
         for (const auto& use : loop) {
             const SplineCurve& curve = brep.edges[use.edge].curve;
             const auto sums = along_edge(brep.edges[use.edge], across, [&](double t, const GaussRule& rule) {
-                return curve.at(1, t, 1) *
-                       cone_along_x(sheet, from, reach.low_x, {curve.at(0, t), curve.at(1, t)}, rule);
+                return ConeIntegral().add(
+                    cone_along_x(sheet, from, reach.low_x, {curve.at(0, t), curve.at(1, t)}, rule),
+                    curve.at(1, t, 1));
             });
             const int sign = use.forward ? 1 : -1;
-            cone.add(sign * sums.found);
-            error.along.push_back(sign * (sums.found - sums.whole));
+            found.add(sums.found, sign);
+            error.along.push_back(ConeIntegral().add(sums.found, sign).add(sums.whole, -sign));
         }
-    error.across = cone.value() - integrate_cell(brep, cell, from).cone - error.all();
+    error.across = found.add(integrate_cell(brep, cell, from).from_point, -1).add(error.all(), -1);
     return error;
 }
 
-std::vector<double> wall_integration_error(const SmoothBrep& brep, const PlanCells::Wall& wall,
-                                           const Point3& from) {
+std::vector<ConeIntegral> wall_integration_error(const SmoothBrep& brep, const PlanCells::Wall& wall,
+                                                 const Point3& from) {
     const SideCurve& side = brep.sides[wall.side];
     const SweptAlong swept(side, from);
-    std::vector<double> error;
+    std::vector<ConeIntegral> error;
     for (const auto& use : wall.loop) {
         const auto& edge = brep.edges[use.edge];
-        error.push_back(0);
+        error.emplace_back();
         if (brep.cells.edges[use.edge].line == PlanCells::kNone) continue;
         const auto sums = along_edge(edge, 1, [&](double t, const GaussRule&) {
-            return swept({edge.curve.at(0, t), edge.curve.at(1, t)}, t + edge.side_start) *
-                   edge.curve.at(2, t, 1) / 3;
+            const Point2 p{edge.curve.at(0, t), edge.curve.at(1, t)};
+            const Point2 run = swept.run(p);
+            return ConeIntegral().add({swept(p, t + edge.side_start) / 3, {run.y, -run.x, 0}},
+                                      edge.curve.at(2, t, 1));
         });
-        error.back() = (use.forward ? 1 : -1) * (sums.found - sums.whole);
+        const int sign = use.forward ? 1 : -1;
+        error.back().add(sums.found, sign).add(sums.whole, -sign);
     }
     return error;
 }

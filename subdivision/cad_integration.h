@@ -5,16 +5,17 @@
 #include <vector>
 
 #include "boreholes/point.h"
+#include "subdivision/cone_integral.h"
 #include "subdivision/smooth_brep.h"
 
 namespace stratareeb {
 
-//! What CAD programs add to what a face is to add to a volume (CellIntegrals::cone) by mistake.
+//! What CAD programs add to what a face is to add to a volume (CellIntegrals) by mistake.
 struct IntegrationError {
-    double across = 0;          // along x, from the face's lowest x to its edges
-    std::vector<double> along;  // each edge, in the order of the loops
+    ConeIntegral across;              // along x, from the face's lowest x to its edges
+    std::vector<ConeIntegral> along;  // each edge, in the order of the loops
 
-    double all() const;
+    ConeIntegral all() const;
 };
 
 //! OpenCASCADE integrates along each edge, and along x from the face's lowest x to the edge, with at most 61 points of Gauss,
@@ -22,7 +23,7 @@ struct IntegrationError {
 IntegrationError integration_error(const SmoothBrep& brep, std::uint32_t cell, const Point3& from);
 
 //! The same of a wall, which is exact across: each edge of its loop.
-std::vector<double> wall_integration_error(const SmoothBrep& brep, const PlanCells::Wall& wall,
-                                           const Point3& from);
+std::vector<ConeIntegral> wall_integration_error(const SmoothBrep& brep, const PlanCells::Wall& wall,
+                                                 const Point3& from);
 
 }  // namespace stratareeb

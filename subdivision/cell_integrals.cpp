@@ -77,13 +77,19 @@ void along_edges(const SmoothBrep& brep, std::uint32_t cell, const Visit& visit)
 CellIntegrals integrate_cell(const SmoothBrep& brep, std::uint32_t cell, const Point3& from) {
     const HeightPatch& sheet = brep.sheet(cell);
     const AlongX along_x(sheet);
-    CompensatedSum area, volume, moment;
+    CompensatedSum area, volume, moment, along_x_axis, along_y_axis;
     along_edges(brep, cell, [&](const Point2& p, double dx, double dy) {
         area.add((p.x - from.x) * dy);
         volume.add(along_x(p) * dy);
-        moment.add(sheet.z(p) * ((p.x - from.x) * dy - (p.y - from.y) * dx));
+        const double z = sheet.z(p);
+        moment.add(z * ((p.x - from.x) * dy - (p.y - from.y) * dx));
+        along_x_axis.add(z * dx);
+        along_y_axis.add(z * dy);
     });
-    return {area.value(), volume.value(), volume.value() - (from.z * area.value() + moment.value()) / 3};
+    return {area.value(),
+            volume.value(),
+            {volume.value() - (from.z * area.value() + moment.value()) / 3,
+             {-along_y_axis.value(), along_x_axis.value(), area.value()}}};
 }
 
 double body_volume(const SmoothBrep& brep, const PlanCells::Body& body) {

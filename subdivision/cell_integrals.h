@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "boreholes/point.h"
+#include "subdivision/cone_integral.h"
 #include "subdivision/smooth_brep.h"
 
 namespace stratareeb {
@@ -13,10 +14,10 @@ namespace stratareeb {
 struct CellIntegrals {
     double area = 0;    // in plan
     double volume = 0;  // between the face and z = 0
-    double cone = 0;    // between the face and a point: what the face adds to a volume measured from there
+    ConeIntegral from_point;
 };
 
-//! \param from the point that `cone` is measured from
+//! \param from the point that `from_point` is measured from
 CellIntegrals integrate_cell(const SmoothBrep& brep, std::uint32_t cell, const Point3& from = {});
 
 //! Between top and base of a body.

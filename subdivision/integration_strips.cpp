@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <utility>
 
 #include "subdivision/cad_integration.h"
@@ -22,7 +23,8 @@ constexpr std::size_t kMostCells = 4;  // times as many as there were
 
 class Strips {
  public:
-    Strips(SmoothBrep& brep, double share) : brep_(brep), share_(share) {}
+    Strips(SmoothBrep& brep, double share, double joined_share)
+        : brep_(brep), share_(share), joined_share_(joined_share) {}
 
     void cut() {
         const std::size_t most = kMostCells * brep_.cells.cells.size() + 100;
@@ -41,34 +43,52 @@ class Strips {
     }
 
  private:
-    // What programs measure volumes from: the mean of a shape's corners.
-    Point3 middle_of(const PlanCells::Body& body) const {
+    // What programs measure volumes from: the mean of a shape's corners, as often as they are in its faces' edges.
+    struct Middle {
         Point3 sum;
         double count = 0;
-        const auto add_corner = [&](const Point3& p, double times) {
+
+        // Coordinates added up, of so many corners.
+        void add(const Point3& p, double corners, double times = 1) {
             sum = {sum.x + times * p.x, sum.y + times * p.y, sum.z + times * p.z};
-            count += times;
-        };
-        const auto add = [&](const PlanCells::Loop& loop) {
-            for (const auto& use : loop) {
-                const auto& edge = brep_.cells.edges[use.edge];
-                const auto& curve = brep_.edges[use.edge].curve;
-                if (edge.line != kNone) {
-                    const auto ends = cad_edge_ends(brep_.edges[use.edge]);
-                    for (std::size_t k = 1; k + 1 < ends.size(); ++k) {
-                        const double t = curve.knots.breaks()[ends[k]];
-                        add_corner({curve.at(0, t), curve.at(1, t), curve.at(2, t)}, 2);  // of two edges
-                    }
+            count += times * corners;
+        }
+
+        void add(const Middle& other, double times = 1) { add(other.sum, other.count, times); }
+
+        Point3 at() const { return {sum.x / count, sum.y / count, sum.z / count}; }
+    };
+
+    Middle middle_of(const PlanCells::Loop& loop) const {
+        Middle middle;
+        for (const auto& use : loop) {
+            const auto& edge = brep_.cells.edges[use.edge];
+            const auto& curve = brep_.edges[use.edge].curve;
+            if (edge.line != kNone) {
+                const auto ends = cad_edge_ends(brep_.edges[use.edge]);
+                for (std::size_t k = 1; k + 1 < ends.size(); ++k) {
+                    const double t = curve.knots.breaks()[ends[k]];
+                    middle.add(Point3{curve.at(0, t), curve.at(1, t), curve.at(2, t)}, 1, 2);  // of two edges
                 }
-                add_corner(brep_.corners[edge.from], 1);
-                add_corner(brep_.corners[edge.to], 1);
             }
-        };
+            middle.add(brep_.corners[edge.from], 1);
+            middle.add(brep_.corners[edge.to], 1);
+        }
+        return middle;
+    }
+
+    Middle middle_of(std::uint32_t cell) const {
+        Middle middle;
+        for (const auto& loop : brep_.cells.cells[cell].loops) middle.add(middle_of(loop));
+        return middle;
+    }
+
+    Middle middle_of(const PlanCells::Body& body) const {
+        Middle middle;
         for (const auto* cells : {&body.top, &body.base})
-            for (const auto c : *cells)
-                for (const auto& loop : brep_.cells.cells[c].loops) add(loop);
-        for (const auto& wall : body.walls) add(wall.loop);
-        return {sum.x / count, sum.y / count, sum.z / count};
+            for (const auto c : *cells) middle.add(middle_of(c));
+        for (const auto& wall : body.walls) middle.add(middle_of(wall.loop));
+        return middle;
     }
 
     void measure(const std::vector<char>& bodies) {
@@ -78,7 +98,7 @@ class Strips {
         tbb::parallel_for(std::size_t{0}, bodies.size(), [&](std::size_t b) {
             if (!bodies[b]) return;
             const auto& body = brep_.cells.bodies[b];
-            const Point3 middle = middle_of(body);
+            const Point3 middle = middle_of(body).at();
             const auto errors = [&](const std::vector<std::uint32_t>& cells,
                                     std::vector<IntegrationError>& result) {
                 tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t i) {
@@ -99,36 +119,78 @@ class Strips {
         std::vector<std::uint32_t> edges;
     };
 
+    //! A solid that a body becomes a part of, or is.
+    struct Joined {
+        Point3 shift;       // of the middle
+        bool alone = true;  // only what is added by the shift counts otherwise
+        double most = 0;    // that may be wrong
+    };
+
+    std::vector<std::vector<Joined>> all_joined() const {
+        const auto& bodies = brep_.cells.bodies;
+        std::vector<Middle> middles;
+        std::vector<std::vector<Joined>> result(bodies.size());
+        for (std::size_t b = 0; b < bodies.size(); ++b) {
+            middles.push_back(middle_of(bodies[b]));
+            result[b].push_back({.most = share_ * brep_.quality[b].mesh_volume});
+        }
+        std::map<std::pair<std::uint32_t, std::uint32_t>, Middle> between;
+        for (std::uint32_t c = 0; c < brep_.cells.cells.size(); ++c) {
+            const auto& cell = brep_.cells.cells[c];
+            if (cell.body_above != kNone && cell.body_below != kNone)
+                between[{cell.body_above, cell.body_below}].add(middle_of(c));
+        }
+        for (const auto& [pair, shared] : between) {
+            Middle both = middles[pair.first];
+            both.add(middles[pair.second]);
+            both.add(shared, -2);
+            const double most =
+                joined_share_ / 2 *
+                (brep_.quality[pair.first].mesh_volume + brep_.quality[pair.second].mesh_volume);
+            for (const auto b : {pair.first, pair.second}) {
+                const Point3 to = both.at(), from = middles[b].at();
+                result[b].push_back({{to.x - from.x, to.y - from.y, to.z - from.z}, false, most});
+            }
+        }
+        return result;
+    }
+
     // Of a body, edges before cells.
     Harmful harmful() const {
         Harmful which{std::vector<char>(brep_.cells.cells.size(), 0), {}};
-        for (std::size_t b = 0; b < brep_.cells.bodies.size(); ++b) {
-            const auto& body = brep_.cells.bodies[b];
-            const double most = share_ * brep_.quality[b].mesh_volume;
-            Sources cells, edges;
-            double all = 0;
-            const auto add = [&](const IntegrationError& error, std::uint32_t c, int sign) {
-                all += sign * error.all();
-                cells.emplace_back(std::abs(error.all()), c);
-                std::size_t k = 0;
-                for (const auto& loop : brep_.cells.cells[c].loops)
-                    for (const auto& use : loop) edges.emplace_back(std::abs(error.along[k++]), use.edge);
-            };
-            for (const auto c : body.top) add(as_top_[c], c, 1);
-            for (const auto c : body.base) add(as_base_[c], c, -1);
-            for (std::size_t w = 0; w < body.walls.size(); ++w)
-                for (std::size_t k = 0; k < body.walls[w].loop.size(); ++k) {
-                    const double off = at_walls_[b][w][k];
-                    all += off;
-                    edges.emplace_back(std::abs(off), body.walls[w].loop[k].edge);
-                }
-            if (std::abs(all) <= most) continue;
-            const auto worst_edges = worst(std::move(edges), kEdgeRest * most);
-            which.edges.insert(which.edges.end(), worst_edges.begin(), worst_edges.end());
-            if (worst_edges.empty())
-                for (const auto c : worst(std::move(cells), kRest * most)) which.cells[c] = 1;
-        }
+        const auto joined = all_joined();
+        for (std::size_t b = 0; b < joined.size(); ++b)
+            for (const Joined& in : joined[b]) add_harmful(b, in, which);
         return which;
+    }
+
+    void add_harmful(std::size_t b, const Joined& in, Harmful& which) const {
+        const auto& body = brep_.cells.bodies[b];
+        const auto off = [&](const ConeIntegral& error) {
+            return in.alone ? error.cone : error.growth(in.shift);
+        };
+        Sources cells, edges;
+        double all = 0;
+        const auto add = [&](const IntegrationError& error, std::uint32_t c, int sign) {
+            all += sign * off(error.all());
+            cells.emplace_back(std::abs(off(error.all())), c);
+            std::size_t k = 0;
+            for (const auto& loop : brep_.cells.cells[c].loops)
+                for (const auto& use : loop) edges.emplace_back(std::abs(off(error.along[k++])), use.edge);
+        };
+        for (const auto c : body.top) add(as_top_[c], c, 1);
+        for (const auto c : body.base) add(as_base_[c], c, -1);
+        for (std::size_t w = 0; w < body.walls.size(); ++w)
+            for (std::size_t k = 0; k < body.walls[w].loop.size(); ++k) {
+                const double along = off(at_walls_[b][w][k]);
+                all += along;
+                edges.emplace_back(std::abs(along), body.walls[w].loop[k].edge);
+            }
+        if (std::abs(all) <= in.most) return;
+        const auto worst_edges = worst(std::move(edges), kEdgeRest * in.most);
+        which.edges.insert(which.edges.end(), worst_edges.begin(), worst_edges.end());
+        if (worst_edges.empty())
+            for (const auto c : worst(std::move(cells), kRest * in.most)) which.cells[c] = 1;
     }
 
     // Those that get another shape: also where edges are cut that they share with a face that is.
@@ -174,15 +236,15 @@ class Strips {
     }
 
     SmoothBrep& brep_;
-    double share_;
+    double share_, joined_share_;
     std::vector<IntegrationError> as_base_, as_top_;  // [cell] of the body above, and of the one below
-    std::vector<std::vector<std::vector<double>>> at_walls_;  // [body][wall][edge of its loop]
+    std::vector<std::vector<std::vector<ConeIntegral>>> at_walls_;  // [body][wall][edge of its loop]
 };
 
 }  // namespace
 
-void cut_for_integration(SmoothBrep& brep, double share) {
-    Strips(brep, share).cut();
+void cut_for_integration(SmoothBrep& brep, double share, double joined_share) {
+    Strips(brep, share, joined_share).cut();
 }
 
 }  // namespace stratareeb

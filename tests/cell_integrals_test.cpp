@@ -73,7 +73,20 @@ TEST(CellIntegrals, leave_out_holes) {
                rest = integrate_cell(with_hole, 0, from);
     EXPECT_NEAR(rest.area, all.area - out.area, 1e-8);
     EXPECT_NEAR(rest.volume, all.volume - out.volume, 1e-8);
-    EXPECT_NEAR(rest.cone, all.cone - out.cone, 1e-8);
+    EXPECT_NEAR(rest.from_point.cone, all.from_point.cone - out.from_point.cone, 1e-8);
+}
+
+TEST(CellIntegrals, cone_changes_with_the_point_as_normals_say) {
+    std::mt19937_64 random(8);
+    std::uniform_real_distribution<double> any(-9, 9);
+    const SmoothBrep brep = face_over({ellipse(0, 1, 2, 1.5, 100)}, bowl, 9);
+    for (int round = 0; round < 20; ++round) {
+        const Point3 from{any(random), any(random), any(random)}, by{any(random), any(random), any(random)};
+        const auto here = integrate_cell(brep, 0, from),
+                   there = integrate_cell(brep, 0, {from.x + by.x, from.y + by.y, from.z + by.z});
+        EXPECT_NEAR(there.from_point.cone, here.from_point.cone + here.from_point.growth(by), 1e-9);
+        EXPECT_EQ(here.from_point.normal.z, here.area);
+    }
 }
 
 // By brute force: (p - from) . n / 3 over small squares of the unit disk.
@@ -95,7 +108,7 @@ TEST(CellIntegrals, cone_is_the_flux_from_the_point) {
                 flux += r * (2 * kPi / n / n) / 3 *
                         (sheet.z(p) - from.z - (p.x - from.x) * g.x - (p.y - from.y) * g.y);
             }
-        EXPECT_NEAR(integrate_cell(brep, 0, from).cone, flux, 2e-5);
+        EXPECT_NEAR(integrate_cell(brep, 0, from).from_point.cone, flux, 2e-5);
     }
 }
 
