@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -24,11 +26,12 @@ constexpr double kLeastOpening = 5e-4;  // slope of the thickness; what CAD prog
 constexpr double kReach = 0.4;  // of a line's mean edge, and of the way to its end: how far into the body
 constexpr double kInland =
     0.35;  // of a triangle at an end: how far from it places are inside wherever the line went
-constexpr double kNear = 0.1;      // of the mean thickness: places that are open further need no look
-constexpr double kValley = 0.01;   // the same for places between them
-constexpr double kInReach = 0.9;   // of the way to the next places: lows further away are theirs
-constexpr double kFurthest = 1.5;  // of the same way: as far as the search for lows looks
-constexpr double kSteeper = 2;     // than here it may be on the way to a low that matters
+constexpr double kNear = 0.1;        // of the mean thickness: places that are open further need no look
+constexpr double kValley = 0.01;     // the same for places between them
+constexpr double kInReach = 0.9;     // of the way to the next places: lows further away are theirs
+constexpr double kFurthest = 1.5;    // of the same way: as far as the search for lows looks
+constexpr double kCornerStep = 0.3;  // radians, between ways into a corner
+constexpr double kSteeper = 2;       // than here it may be on the way to a low that matters
 constexpr int kValleyRounds = 50, kValleySteps = 16;                    // down to a low
 constexpr double kPlacesASpan = 5, kLeastPlaces = 4, kMostPlaces = 64;  // along an edge, into a body
 
@@ -81,6 +84,7 @@ class Opener {
         for (const auto c : body_.top)
             for (const auto f : cells_.cells[c].faces) look_at(f, sheets_.sheets[sheets_.of_cell[c]]);
         for (const BodyEnd& end : ends) look_along(end);
+        look_around_corners(ends);
         for (auto* places : {&inside_, &thin_, &ends_, &pulled_}) places->sort(bent_);
         mouths_.sort(bent_);
     }
@@ -277,6 +281,57 @@ class Opener {
         for (int k = 1; k <= places; ++k)
             add_thin({p.x + reach * k / places * inward.x, p.y + reach * k / places * inward.y}, top,
                      reach / places);
+    }
+
+    // Along lines, places reach no further inwards than it is to their ends: here is what lies around these.
+    void look_around_corners(const std::vector<BodyEnd>& ends) {
+        std::set<std::uint32_t> vertices;
+        const auto vertex = [&](std::uint32_t corner) { return cells_.corners[corner].vertex; };
+        for (const BodyEnd& end : ends) {
+            vertices.insert(vertex(cells_.edges[end.edge].from));
+            vertices.insert(vertex(cells_.edges[end.edge].to));
+        }
+        for (const auto c : body_.top)
+            for (const auto& loop : cells_.cells[c].loops)
+                for (std::size_t k = 0; k < loop.size(); ++k) {
+                    const auto &in = loop[k], &out = loop[(k + 1) % loop.size()];
+                    const auto& edge = cells_.edges[out.edge];
+                    if (vertices.contains(vertex(out.forward ? edge.from : edge.to)))
+                        look_into_corner(arm(out.edge, out.forward), arm(in.edge, !in.forward),
+                                         sheets_.sheets[sheets_.of_cell[c]]);
+                }
+    }
+
+    // A line as seen from one of its ends.
+    struct Arm {
+        Point2 corner;
+        double angle, mean_edge;
+    };
+
+    Arm arm(std::uint32_t edge, bool forward) const {
+        const LineCurve& line = curves_.lines[cells_.edges[edge].line];
+        const SplineCurve& curve = line.curve;
+        const double t = forward ? curve.knots.low() : curve.knots.high(), sign = forward ? 1 : -1;
+        const Point2 p{curve.at(0, t), curve.at(1, t)};
+        return {p, std::atan2(sign * curve.at(1, t, 1), sign * curve.at(0, t, 1)),
+                (curve.knots.high() - curve.knots.low()) * std::hypot(curve.at(0, t, 1), curve.at(1, t, 1)) /
+                    static_cast<double>(line.parameters.size() - 1)};
+    }
+
+    // From one arm to the left as far as the other.
+    void look_into_corner(const Arm& from, const Arm& to, const HeightPatch& top) {
+        double turn = to.angle - from.angle;
+        if (turn <= 0) turn += 2 * std::numbers::pi;
+        const double reach = kReach * std::min(from.mean_edge, to.mean_edge);
+        const int ways = static_cast<int>(std::ceil(turn / kCornerStep)),
+                  places = places_along(reach, span_at(base_, from.corner));
+        for (int w = 1; w < ways; ++w) {
+            const double angle = from.angle + turn * w / ways;
+            for (int k = 1; k <= places; ++k)
+                add_thin({from.corner.x + reach * k / places * std::cos(angle),
+                          from.corner.y + reach * k / places * std::sin(angle)},
+                         top, reach / places);
+        }
     }
 
     const HorizonSheets& sheets_;

@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
+#include "tests/grid_model.h"
 #include "tests/lens_model.h"
 
 namespace stratareeb {
@@ -91,6 +94,36 @@ TEST(OpenEnds, open_inwards_however_a_lens_ends) {
         EXPECT_GT(inwards.least_opening, 2e-4);
         EXPECT_GT(brep.horizons.least_thickness[1], 0);
     }
+}
+
+// Where the end of a layer turns back, what is inside lies beside none of its lines.
+TEST(OpenEnds, open_around_the_corner_of_a_notch) {
+    const auto model =
+        test::grid_model({.cells = 24,
+                          .ground = [](double x, double y) { return std::sin(x / 20) + y / 30; },
+                          .thickness = {test::constant(4),
+                                        [](double x, double y) {
+                                            return 0.05 * std::max({0.0, 50 - x, 50 - y});
+                                        },
+                                        test::constant(3)}});
+    SmoothBrep brep = build_smooth_brep(model, {.sheets = {.end_gap = 1e-6}});
+    const auto least_open = [&] {
+        double least = INFINITY;
+        for (double r = 0.1; r < 1.4; r += 0.05)
+            for (double angle = 110; angle <= 340; angle += 5) {
+                const double a = angle * std::numbers::pi / 180;
+                const Point2 p{50 + r * std::cos(a), 50 + r * std::sin(a)};
+                least = std::min(least, brep.horizons.sheets[1].z(p) - brep.horizons.sheets[2].z(p));
+            }
+        return least;
+    };
+    const Point2 inside{49.4, 49.4};
+    lower_at(brep.horizons.sheets[2], inside,
+             brep.horizons.sheets[2].z(inside) - brep.horizons.sheets[1].z(inside) - 0.05);
+    ASSERT_LT(least_open(), -0.01);
+    const PlanCurves curves = test::curves_of(model, brep);
+    open_body_ends(brep.horizons, model, brep.cells, curves);
+    EXPECT_GT(least_open(), 0);
 }
 
 // What a CAD program compares at an edge: the base of a lens that shrinks inwards at first.
