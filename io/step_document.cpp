@@ -150,7 +150,7 @@ void print(const Handle(XSControl_WorkSession) & session, const Handle(StepData_
     text.SendModel(Handle(StepData_Protocol)::DownCast(session->Protocol()));
     std::ostringstream whole;
     text.Print(whole);
-    stream << share_step_geometry(whole.view());
+    share_step_geometry(whole.view(), stream);
 }
 
 const char* occt_unit(const std::string& length_unit) {

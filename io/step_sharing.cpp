@@ -8,6 +8,8 @@
 #include <charconv>
 #include <cstddef>
 #include <iterator>
+#include <ostream>
+#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -49,25 +51,25 @@ class Sharing {
  public:
     explicit Sharing(std::string_view text) { read(text); }
 
-    std::string shared() {
+    void write(std::ostream& stream) {
         for (int round = 1; round <= kRounds; ++round) find_same(round);
         std::size_t number = 0;
         for (std::size_t i = 0; i < entities_.size(); ++i)
             if (entities_[i].same_as == i) entities_[i].number = ++number;
-        std::string result(head_);
+        stream << head_;
+        std::string line;
         for (std::size_t i = 0; i < entities_.size(); ++i) {
             if (entities_[i].same_as != i) continue;
-            fmt::format_to(std::back_inserter(result), "#{} = ", entities_[i].number);
+            line = fmt::format("#{} = ", entities_[i].number);
             walk(
-                entities_[i].text, [&](char c, bool) { result += c; },
+                entities_[i].text, [&](char c, bool) { line += c; },
                 [&](std::size_t other) {
-                    fmt::format_to(std::back_inserter(result), "#{}",
+                    fmt::format_to(std::back_inserter(line), "#{}",
                                    entities_[entities_[other].same_as].number);
                 });
-            result += ";\n";
+            stream << (line += ";\n");
         }
-        result += tail_;
-        return result;
+        stream << tail_;
     }
 
  private:
@@ -151,8 +153,8 @@ class Sharing {
 
 }  // namespace
 
-std::string share_step_geometry(std::string_view text) {
-    return Sharing(text).shared();
+void share_step_geometry(std::string_view text, std::ostream& stream) {
+    Sharing(text).write(stream);
 }
 
 }  // namespace stratareeb

@@ -8,6 +8,7 @@
 #include <map>
 #include <random>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,14 @@ namespace {
 const std::string kHead = "ISO-10303-21;\nHEADER;\nFILE_NAME('a #1; b');\nENDSEC;\nDATA;\n";
 const std::string kTail = "ENDSEC;\nEND-ISO-10303-21;\n";
 
+std::string share(const std::string& text) {
+    std::ostringstream stream;
+    share_step_geometry(text, stream);
+    return stream.str();
+}
+
 std::string shared(const std::string& data) {
-    const std::string whole = share_step_geometry(kHead + data + kTail);
+    const std::string whole = share(kHead + data + kTail);
     EXPECT_EQ(whole.substr(0, kHead.size()), kHead);
     EXPECT_EQ(whole.substr(whole.size() - kTail.size()), kTail);
     return whole.substr(kHead.size(), whole.size() - kHead.size() - kTail.size());
@@ -65,8 +72,8 @@ TEST(StepSharing, what_differs_stays) {
 }
 
 TEST(StepSharing, what_is_no_step_is_refused) {
-    EXPECT_THROW(share_step_geometry(""), InvalidInput);
-    EXPECT_THROW(share_step_geometry("solid\n"), InvalidInput);
+    EXPECT_THROW(share(""), InvalidInput);
+    EXPECT_THROW(share("solid\n"), InvalidInput);
     EXPECT_THROW(shared("#1 = LINE('',#2,#3);\n"), InvalidInput);
     EXPECT_THROW(shared("#1 = DIRECTION('',(1.,0.,0.));\n#1 = DIRECTION('',(0.,0.,1.));\n"), InvalidInput);
     EXPECT_THROW(shared("#1 = PRODUCT('never ends"), InvalidInput);

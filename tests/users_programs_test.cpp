@@ -217,6 +217,52 @@ TEST(UsersPrograms, freecad_opens_smooth_solids_of_the_shipped_boreholes) {
     expect_freecad_agrees_on_smooth({"thesis_sample3", "examples/thesis_sample3.csv --refine 1"}, "m");
 }
 
+// Solids of a model in FreeCAD, joined by twos.
+struct Joined {
+    int pairs = 0, valid = 0;
+    double worst = 0;  // how far volumes are off the sum, as a share of it
+    std::string output;
+};
+
+// \param load Python that makes a list of shapes of it: `parts`
+Joined join_neighbours(const TemporaryFolder& folder, const std::string& load) {
+    const auto script = folder.path() / "join.py";
+    std::ofstream(script) << load << R"(
+import os
+def faces(part):
+    return {face.hashCode() for face in part.Faces}
+for i, a in enumerate(parts):
+    for b in parts[i + 1:]:
+        if share and not faces(a) & faces(b):
+            continue
+        both = a.fuse(b)
+        if share or len(both.Solids) == 1:
+            print("\nJOIN", int(both.isValid() and len(both.Solids) == 1),
+                  both.Volume / (a.Volume + b.Volume) - 1, flush=True)
+os._exit(0)
+)";
+    const auto outcome =
+        test::run("FREECAD_USER_HOME=" + test::quoted(folder.path()) + " freecadcmd " + test::quoted(script),
+                  folder.path() / "join.log");
+    Joined result;
+    result.output = outcome.output;
+    std::istringstream lines(outcome.output);
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("JOIN")) continue;
+        int valid = 0;
+        double off = 1;
+        std::istringstream(line.substr(4)) >> valid >> off;
+        ++result.pairs;
+        result.valid += valid;
+        result.worst = std::max(result.worst, std::abs(off));
+    }
+    return result;
+}
+
+std::string python_text(const std::filesystem::path& path) {
+    return nlohmann::json(path.string()).dump();
+}
+
 // Each two neighbours of smooth layers make one solid of the sum of their volumes.
 TEST(UsersPrograms, freecad_joins_smooth_neighbours) {
     REQUIRE_FREECAD();
@@ -229,34 +275,32 @@ TEST(UsersPrograms, freecad_joins_smooth_neighbours) {
                       test::quoted(folder.path() / "model"),
                   folder.path() / "log");
     ASSERT_EQ(built.exit_code, 0) << built.output;
-    const auto script = folder.path() / "join.py";
-    std::ofstream(script) << "import FreeCAD, Import, os\nImport.insert("
-                          << nlohmann::json((folder.path() / "model" / "model.step").string()).dump()
-                          << ", FreeCAD.newDocument('m').Name, merge=False, useLinkGroup=True)\n"
-                          << R"(
-parts = [p.Shape for p in FreeCAD.ActiveDocument.Objects if p.TypeId == "Part::Feature"]
-for i, a in enumerate(parts):
-    for b in parts[i + 1:]:
-        both = a.fuse(b)
-        if len(both.Solids) == 1:
-            print("\nJOIN", int(both.isValid()), both.Volume / (a.Volume + b.Volume) - 1, flush=True)
-os._exit(0)
-)";
-    const auto outcome =
-        test::run("FREECAD_USER_HOME=" + test::quoted(folder.path()) + " freecadcmd " + test::quoted(script),
-                  folder.path() / "join.log");
-    std::istringstream lines(outcome.output);
-    int joined = 0;
-    for (std::string line; std::getline(lines, line);) {
-        if (!line.starts_with("JOIN")) continue;
-        int valid = 0;
-        double off = 1;
-        std::istringstream(line.substr(4)) >> valid >> off;
-        EXPECT_EQ(valid, 1) << line;
-        EXPECT_NEAR(off, 0, 1e-3) << line;
-        ++joined;
-    }
-    EXPECT_GE(joined, 2) << outcome.output;
+    const Joined joined = join_neighbours(
+        folder,
+        "import FreeCAD, Import\nImport.insert(" + python_text(folder.path() / "model" / "model.step") +
+            ", FreeCAD.newDocument('m').Name, merge=False, useLinkGroup=True)\n"
+            "parts = [p.Shape for p in FreeCAD.ActiveDocument.Objects if p.TypeId == 'Part::Feature']\n"
+            "share = False\n");
+    EXPECT_GE(joined.pairs, 2) << joined.output;
+    EXPECT_EQ(joined.valid, joined.pairs) << joined.output;
+    EXPECT_LT(joined.worst, 1e-3) << joined.output;
+}
+
+// A rough survey with lenses; its bodies have faces in common in the BREP file.
+TEST(UsersPrograms, freecad_joins_rough_neighbours_that_share_faces) {
+    REQUIRE_FREECAD();
+    const TemporaryFolder folder("freecad_join_brep");
+    const auto model = build({"thesis_sample3", "examples/thesis_sample3.csv --refine 1 --step smooth"},
+                             "brep", folder.path());
+    ASSERT_TRUE(model.contains("cad"));
+    EXPECT_EQ(model["cad"].size(), 11U);
+    const Joined joined =
+        join_neighbours(folder, "import Part\nmodel = Part.Shape()\nmodel.read(" +
+                                    python_text(folder.path() / "model" / "model.brep") +
+                                    ")\nparts = model.Solids\nassert len(parts) == 11\nshare = True\n");
+    EXPECT_EQ(joined.pairs, 18) << joined.output;
+    EXPECT_EQ(joined.valid, 18) << joined.output;
+    EXPECT_LT(joined.worst, 2e-4) << joined.output;
 }
 
 TEST(UsersPrograms, meshlab_agrees_with_build_on_the_shipped_boreholes) {
